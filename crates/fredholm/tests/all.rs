@@ -9,6 +9,7 @@ mod common;
 mod computed_relation;
 mod conformance;
 mod conjugate;
+mod first_kind;
 mod kernels_logarithmic;
 mod logarithm;
 mod macdonald;

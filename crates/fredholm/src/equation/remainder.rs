@@ -27,7 +27,7 @@ pub(super) struct Remainder<'r> {
     pub(super) density: &'r [f64],
     /// Number of terms of the solution.
     pub(super) kept: usize,
-    /// Whether there are no others than those known.
+    /// Whether the others are below rounding of the right-hand side.
     pub(super) is_whole: bool,
     /// What rounding may make of a coefficient of the right-hand side.
     pub(super) noise: f64,
@@ -51,7 +51,7 @@ impl Remainder<'_> {
     fn beyond(&self, size: &dyn Fn(Range<usize>) -> f64) -> f64 {
         let known = self.density.len();
         if self.is_whole {
-            return if self.kept < known { size(self.kept..known) } else { 0.0 };
+            return if self.kept < known { SAFETY * size(self.kept..known) } else { 0.0 };
         }
         // Aliasing spoils the upper half of what is known.
         let mut end = known / 2;
@@ -66,9 +66,12 @@ impl Remainder<'_> {
         }
         let [before, first] = [2, 4].map(|part| size(end / (2 * part)..end / part));
         let [rate, former] = [block / before, before / first];
-        // A rate that still grows, as behind a bend beside an end, is taken to grow by as much again.
-        let rate = rate.max((block / first).sqrt()) + (rate - former).max(0.0) + RATIO;
+        let seen = rate.max((block / first).sqrt()) + RATIO;
+        // A rate that still grows, as behind a bend beside an end, is taken to grow by as much again, up to half the way to one.
+        let rate = seen + (rate - former).max(0.0).min(0.5 * (1.0 - seen).max(0.0));
         let later = if rate < 1.0 { block * rate / (1.0 - rate) } else { f64::INFINITY };
+        // Where terms are known until they are rounding, they need no rate.
+        let later = if end < known / 2 { later.min(size(end..known / 2)) } else { later };
         SAFETY * (omitted + later)
     }
 
