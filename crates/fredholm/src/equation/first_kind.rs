@@ -63,7 +63,7 @@ pub fn first_kind_in_parts<'a>(
     let kept = coefficients.len().min(count);
     let most = LOOKED_AT[usize::from(relation.largest_sum(&[0.0]).is_none())];
     let looked_at = coefficients.len().min(kept.max(most));
-    let is_whole = resolved && error <= RESOLVED && looked_at == coefficients.len();
+    let is_whole = resolved && looked_at == coefficients.len();
     let known = densities(relation, &coefficients[..looked_at]);
     coefficients.truncate(count);
     let largest_value =

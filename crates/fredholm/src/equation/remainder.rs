@@ -50,29 +50,33 @@ impl Remainder<'_> {
 
     fn beyond(&self, size: &dyn Fn(Range<usize>) -> f64) -> f64 {
         let known = self.density.len();
-        if self.is_whole {
-            return if self.kept < known { SAFETY * size(self.kept..known) } else { 0.0 };
-        }
-        // Aliasing spoils the upper half of what is known.
-        let mut end = known / 2;
-        let mut block = size(end / 2..end);
+        let omitted = |end: usize| if self.kept < end { size(self.kept..end) } else { 0.0 };
+        let whole = if self.is_whole { omitted(known) } else { 0.0 };
+        // Aliasing may spoil the upper half of what is known.
+        let top = known / 2;
+        let mut end = top;
         while end >= LEAST && self.is_noise(end / 2..end) {
             end /= 2;
-            block = size(end / 2..end);
         }
-        let omitted = if self.kept < end { size(self.kept..end) } else { 0.0 };
-        if block == 0.0 || end < LEAST {
-            return SAFETY * omitted;
+        if end < LEAST {
+            return SAFETY * whole.max(omitted(top));
         }
-        let [before, first] = [2, 4].map(|part| size(end / (2 * part)..end / part));
+        let [block, before, first] = [1, 2, 4].map(|part| size(end / (2 * part)..end / part));
+        if block == 0.0 {
+            return SAFETY * whole.max(omitted(top));
+        }
         let [rate, former] = [block / before, before / first];
-        let seen = rate.max((block / first).sqrt()) + RATIO;
+        let seen = rate.max((block / first).sqrt()) * (1.0 + RATIO);
         // A rate that still grows, as behind a bend beside an end, is taken to grow by as much again, up to half the way to one.
         let rate = seen + (rate - former).max(0.0).min(0.5 * (1.0 - seen).max(0.0));
-        let later = if rate < 1.0 { block * rate / (1.0 - rate) } else { f64::INFINITY };
-        // Where terms are known until they are rounding, they need no rate.
-        let later = if end < known / 2 { later.min(size(end..known / 2)) } else { later };
-        SAFETY * (omitted + later)
+        // Terms that do not fall where they are seen may yet be known until they are rounding.
+        let later = match rate < 1.0 {
+            true => block * rate / (1.0 - rate),
+            false if end < top => size(end..top),
+            false if self.is_whole => 0.0,
+            false => f64::INFINITY,
+        };
+        SAFETY * whole.max(omitted(end) + later)
     }
 
     /// Whether rounding makes as much of a block.
