@@ -47,7 +47,8 @@ impl<'a> SolvedEquation<'a> {
         for (quantity, value) in
             [("solution", solution.largest), ("error of the solution", solution.error.solution)]
         {
-            if !value.is_finite() && !(may_be_infinite && value == f64::INFINITY) {
+            let is_answer = value.is_finite() || (may_be_infinite && value == f64::INFINITY);
+            if !is_answer {
                 return Err(Error::EquationOverflow { quantity, value });
             }
         }
