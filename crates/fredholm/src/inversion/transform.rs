@@ -254,25 +254,8 @@ impl Segment {
         if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }
-        let mut sum = self
-            .beside_power()
-            .unwrap_or_else(|| integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s));
-        sum += self.panels[1..].iter().map(beyond).sum::<f64>();
-        sum
-    }
-
-    /// `int dG/s` over the first panel where it is there for a power `s^k`, which shows in the rises over the next ones: `k/(k-1)` times the rise over the
-    /// length. None where it is smooth.
-    fn beside_power(&self) -> Option<f64> {
-        let [first, second, third, ..] = self.panels.as_slice() else { return None };
-        let to = first.ends[1];
-        let rise = |panel: &Panel| panel.value(panel.ends[1]) - panel.value(panel.ends[0]);
-        let doubles = third.ends[1] == 4.0 * to && second.ends[1] == 2.0 * to;
-        let is_short = is_for_kink(first, self.ends);
-        let ratio = rise(third) / rise(second);
-        let power = ratio.log2();
-        let over_length = rise(second) / ((ratio - 1.0) * to);
-        (is_short && doubles && power > 1.0).then_some(power / (power - 1.0) * over_length)
+        let near = integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s);
+        near + self.panels[1..].iter().map(beyond).sum::<f64>()
     }
 
     fn largest_slope(&self) -> f64 {
