@@ -1,5 +1,7 @@
 //! As many nodes as the pressure needs.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::complex::Complex;
@@ -50,8 +52,13 @@ pub(super) fn resolved(
     effort: Effort,
     pressure: Pressure<'_>,
 ) -> Result<(Vec<Panel>, f64), Error> {
+    // Of the nodes of half the step every second is one of the step before, to the last bit.
+    let known = RefCell::new(HashMap::new());
     let sample = |index: usize, step: f64| {
-        Panel::new(panels[index], step, period, &|left, right| pressure(index, left, right))
+        Panel::new(panels[index], step, period, &|left, right| {
+            let place = (index, left.to_bits(), right.to_bits());
+            *known.borrow_mut().entry(place).or_insert_with(|| pressure(index, left, right))
+        })
     };
     let first = effort.first_step();
     let mut sampled =

@@ -9,7 +9,7 @@ use fredholm::multipole::{
     Panels,
 };
 
-use super::mesh::{Fineness, panels};
+use super::mesh::{Fineness, LONGEST, panels};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::ground::Hull;
@@ -39,6 +39,15 @@ pub(super) struct Effort {
     pub(super) responses: f64,
     /// What the layer gives at free ends over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
     pub(super) good: f64,
+}
+
+impl Effort {
+    /// Panels of so many nodes, with the residual, that of responses, and what is good enough.
+    pub(super) const fn new(order: usize, ends: f64, straight: f64, left: [f64; 3]) -> Self {
+        let [residual, responses, good] = left;
+        let fineness = Fineness { order, ends, longest: LONGEST, straight };
+        Self { fineness, residual, responses, good }
+    }
 }
 
 /// The displacements of a pressure on panels.

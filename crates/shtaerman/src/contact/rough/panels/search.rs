@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use fredholm::multipole::PanelOperator;
 
-use super::mesh::{Fineness, LONGEST, STRAIGHT};
+use super::mesh::STRAIGHT;
 use super::nodes::{Effort, OnPanels, PanelNodes};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
@@ -28,26 +28,16 @@ use crate::contact::zones::Zone;
 const ROUNDS: usize = 28;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer. Heights are resolved to a tenth of what zones are found to: with 1e-8 rows take 1.3 times as long,
 /// with 1e-4 no less time. Responses begin with those on the panels before; with 1e-7 and 1e-10 on the last two rates without free edges lose their digits. At half or twice the ends that are good enough stated errors grow up to 2.6 times (survey).
-const LADDER: [Effort; 3] = [
-    Effort {
-        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-5 },
-        residual: 1e-6,
-        responses: 1e-4,
-        good: 1e-4,
-    },
-    Effort {
-        fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST, straight: STRAIGHT },
-        residual: 1e-11,
-        responses: 1e-9,
-        good: 1e-6,
-    },
-    Effort {
-        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
-        residual: 1e-14,
-        responses: 1e-12,
-        good: 1e-7,
-    },
+const LADDER: [Effort; 5] = [
+    Effort::new(4, 4.0, 1e-5, [1e-6, 1e-4, 1e-4]),
+    Effort::new(6, 3.0, 1e-8, [1e-8, 1e-6, 1e-5]),
+    Effort::new(8, 2.0, 1e-10, [1e-10, 1e-8, 1e-6]),
+    Effort::new(10, 2.0, STRAIGHT, [1e-11, 1e-9, 1e-6]),
+    Effort::new(13, 1.0, STRAIGHT, [1e-14, 1e-12, 1e-7]),
 ];
+/// What is taken of it: small steps where a tolerance is given, of which the third may be enough.
+const STEEP: [usize; 3] = [0, 3, 4];
+const GENTLE: [usize; 5] = [0, 1, 2, 3, 4];
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -118,8 +108,12 @@ impl<'b> ManyPanels<'b> {
             self.add_places(&coarse, &left);
             coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
-        let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
-            Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
+        let rungs: &[usize] = match self.base.problem().solver().tolerance {
+            Some(_) => &GENTLE,
+            None => &STEEP,
+        };
+        let next = |solved: &OnZones, level: usize| match rungs.get(level) {
+            Some(rung) => self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some),
             None => Ok(None),
         };
         let solved = refined(self.base, coarse, next)?;
@@ -152,10 +146,10 @@ impl<'b> ManyPanels<'b> {
     fn settled(
         &self,
         mut zones: Vec<Zone>,
-        level: usize,
+        rung: usize,
         near: Option<&OnZones>,
     ) -> Result<OnZones, Error> {
-        let (base, effort) = (self.base, LADDER[level]);
+        let (base, effort) = (self.base, LADDER[rung]);
         let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);
         for _ in 0..ROUNDS {
             if zones.is_empty() {
