@@ -10,7 +10,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use self::panel::{Panel, largest, rounding_of};
 use self::start::Start;
-use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
+use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED, ROUNDING};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
 use super::rule::{ORDER, RULE, integral, integral_at_nodes};
 use super::shape::{Shape, Symmetry};
@@ -24,9 +24,12 @@ const LENGTHS: f64 = 1024.0;
 /// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
 
-/// Share of a segment that a bend shapes alone: what is left out goes as its square, and rounding as the inverse of a power above one. The first panel serves up to the other share (theory).
-const START: f64 = 1e-4;
-const LONGEST_START: f64 = 1e-2;
+/// Longest share of a segment that a bend may shape alone: sixteen times as far is inside, too (theory).
+const LONGEST_START: f64 = 1.0 / 16.0;
+/// A first panel shorter than this share of its segment is there for a bend (survey).
+const BENT: f64 = 1e-2;
+/// What polynomials on panels miss beside a power, in what their last two terms make: four at most (survey).
+const MISSED: f64 = 8.0;
 /// A bend that is no nearer to the middle of a zone, in radii, is known to what is stated (survey).
 const BESIDE_MIDDLE: f64 = 1e-5;
 
@@ -61,18 +64,26 @@ fn is_for_kink(first: &Panel, ends: [f64; 2]) -> bool {
     first.ends[1] < SHORT * if ends[0] > 0.0 { length.min(ends[0]) } else { length }
 }
 
-/// What stands for the first panels of a segment that begins with a bend, or in the middle, where they are there for a power.
+/// What may stand for the first panels of a segment that begins with a bend, or in the middle, where they are there for a power. It is shortened by halves as long as that pays: the next power says less, and rounding more.
 fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start> {
-    let first = panels.first()?;
+    let first = panels.first()?.ends[1];
     let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
-    if first.ends[1] > LONGEST_START * length {
-        return None;
+    let shorter = panels.iter().rev().map(|panel| panel.ends[1]);
+    let halves = std::iter::successors(Some(0.5 * first), |to| Some(0.5 * to));
+    let is_short = |to: &f64| *to <= LONGEST_START * length;
+    let error = |start: &Start| start.error(&shape.powers);
+    let mut best: Option<Start> = None;
+    for to in shorter.chain(halves).filter(is_short).take(DEEPEST as usize) {
+        let start = Start::new(shape, ends[0], to);
+        let is_better = |next: &Start| best.is_none_or(|best| error(next) < error(&best));
+        match start.filter(is_better) {
+            None if best.is_some() => break,
+            found => best = found,
+        }
     }
-    let short = panels.iter().take_while(|panel| panel.ends[1] <= START * length);
-    let start = Start::new(shape, ends[0], short.last().unwrap_or(first).ends[1])?;
     // Under a kink of homogeneous ground the pressure is infinite. What an odd part has in the middle is felt times the distance from there.
     let is_odd = ends[0] == 0.0 && shape.part == Symmetry::Odd;
-    (is_odd || start.is_finite(&shape.powers)).then_some(start)
+    best.filter(|start| is_odd || start.is_finite(&shape.powers))
 }
 
 /// `sqrt(x^2 - y^2)` for `x >= y`.
@@ -119,8 +130,49 @@ impl Segment {
         }
         let panels: Vec<Panel> =
             panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
-        let start = started(shape, ends, &panels);
-        Self { start, ..Self::at_rest(ends, panels, &shape.powers) }
+        let plain = Self::at_rest(ends, panels, &shape.powers);
+        let missed = plain.missed(&shape.powers);
+        if missed <= ROUNDING * plain.pressure(&shape.powers, ends[0]).abs() {
+            return plain;
+        }
+        let start = started(shape, ends, &plain.panels);
+        match start.filter(|start| start.error(&shape.powers) < missed) {
+            Some(start) => plain.beyond_start(shape, start),
+            None => plain,
+        }
+    }
+
+    /// The same with panels from the end of a start on.
+    fn beyond_start(mut self, shape: &Shape<'_>, start: Start) -> Self {
+        let panel = |own: [f64; 2]| Panel::new(own, sample(shape, self.ends[0], own));
+        let mut to = self.panels[0].ends[1];
+        let mut added = Vec::new();
+        while to > start.to {
+            added.push(panel([0.5 * to, to]));
+            to *= 0.5;
+        }
+        if !added.is_empty() {
+            added.push(panel([0.0, to]));
+            added.reverse();
+            self.panels.splice(..1, added);
+        }
+        Self { start: Some(start), ..self }
+    }
+
+    /// What polynomials miss of the pressure at the bend.
+    fn missed(&self, powers: &Powers) -> f64 {
+        let at_bend = |segment: &Self| segment.pressure(powers, self.ends[0]);
+        let change = (at_bend(self) - at_bend(&self.truncated(powers))).abs();
+        // Under a kink it is infinite.
+        let rounded = self.panels.first().map_or(0.0, |first| {
+            first.blown(largest(&first.values)) * first.length().powf(powers.exponent())
+        });
+        if change.is_finite() { MISSED * (change + rounded) } else { 0.0 }
+    }
+
+    /// What the pressure beside the bend may be off by.
+    fn bend_error(&self, powers: &Powers) -> f64 {
+        self.start.map_or_else(|| self.missed(powers), |start| start.error(powers))
     }
 
     /// On graded ground `G` rises from a bend as a power above 1 of `s`, but where a kink was not told.
@@ -441,13 +493,12 @@ impl AbelTransform {
         let is_blurred = |segment: &Segment| {
             let [bend, end] = segment.ends;
             let is_near = 0.0 < bend && bend < BESIDE_MIDDLE * self.radius();
-            is_near && segment.panels[0].ends[1] <= LONGEST_START * leg(end, bend)
+            is_near && segment.panels[0].ends[1] <= BENT * leg(end, bend)
         };
         if self.part != Symmetry::Revolution && self.segments.iter().any(is_blurred) {
             return f64::INFINITY;
         }
-        let starts = self.segments.iter().filter_map(|segment| segment.start);
-        starts.fold(0.0, |sum, start| sum + start.error(&self.powers))
+        self.segments.iter().map(|segment| segment.bend_error(&self.powers)).sum()
     }
 
     /// What rounding of `G` makes of `G'` on the longest panels of each segment.

@@ -86,11 +86,17 @@ fn under(
         let ([left, right], zone) = (panels[panel], zones[owners[panel]]);
         // Beside a kink within a zone no place is nearer than its rounding, and at it the pressure may be infinite.
         let rounding = BLUR * zone[0].abs().max(zone[1].abs());
-        let beside = |distance: f64, is_inside: bool| {
-            if is_inside && distance > 0.0 { distance.max(rounding) } else { distance }
+        let is_end = from_left == 0.0 || to_right == 0.0;
+        let beside = |distance: f64, is_inside: [bool; 2]| {
+            let [nearest, farthest] = [
+                if is_inside[0] { rounding } else { 0.0 },
+                if is_inside[1] { right - left - rounding } else { f64::INFINITY },
+            ];
+            if is_end { distance } else { distance.max(nearest).min(farthest) }
         };
-        let from_left = beside(from_left, left > zone[0]);
-        let to_right = beside(to_right, right < zone[1]);
+        let is_inside = [left > zone[0], right < zone[1]];
+        let from_left = beside(from_left, is_inside);
+        let to_right = beside(to_right, [is_inside[1], is_inside[0]]);
         pressure0(owners[panel], left - zone[0] + from_left, zone[1] - right + to_right)
     };
     StressField::within(&panels, period, given, effort, &pressure)

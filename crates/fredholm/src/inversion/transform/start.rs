@@ -1,4 +1,4 @@
-//! Beside a bend of the base, where `G` is `G(b) + c s^k + e s^2` and no polynomial follows it.
+//! Beside a bend of the base, where `G` is `G(b) + c s^k + e s^2 + g s^4` and no polynomial follows it.
 
 use super::super::powers::Powers;
 use super::super::roots::CONSTANT;
@@ -8,8 +8,8 @@ use super::{STEP, stepwise};
 
 /// Nodes crowd towards the bend as this power, so that what goes with any power of the distance is a smooth function of theirs.
 const CROWDED: i32 = 8;
-/// Powers from here on are resolved by panels: their first one is off by what the second difference of so short a panel is (theory).
-const SMOOTH: f64 = 2.5;
+/// From the next even power on a power is as good as hidden behind those (theory).
+const SMOOTH: f64 = 4.0;
 /// Rounding of `G` where it is integrated in parts, in roundings of its size.
 const ROUNDED: f64 = 16.0;
 
@@ -20,37 +20,43 @@ pub(super) struct Start {
     pub(super) to: f64,
     /// `k`.
     power: f64,
-    /// `c s^k` and `e s^2` at the end.
+    /// `c s^k`, `e s^2` and `g s^4` at the end.
     rise: f64,
     square: f64,
+    quartic: f64,
     /// What the rise may be off by.
     error: f64,
 }
 
 impl Start {
-    /// From what `G` rises to once, twice, four and eight times as far; none where that shows no power.
+    /// From what `G` rises to once, twice and up to sixteen times as far; none where that shows no power.
     pub(super) fn new(shape: &Shape<'_>, kink: f64, to: f64) -> Option<Self> {
         let [level, places @ ..] =
-            [0.0, 1.0, 2.0, 4.0, 8.0].map(|t| shape.transform_beyond(kink, t * to));
+            [0.0, 1.0, 2.0, 4.0, 8.0, 16.0].map(|t| shape.transform_beyond(kink, t * to));
         let rises = places.map(|value| value - level);
-        let noise = ROUNDED * f64::EPSILON * level.abs().max(places[3].abs()) + shape.noise;
-        // Without what goes with the square only the power is left.
-        let bent = [0, 1, 2].map(|j| rises[j + 1] - 4.0 * rises[j]);
-        let (near, far) = ((bent[1] / bent[0]).log2(), (bent[2] / bent[1]).log2());
-        if !(bent[0].abs() > ROUNDED * noise && 0.0 < near && near < SMOOTH) {
+        let noise = ROUNDED * f64::EPSILON * level.abs().max(places[4].abs()) + shape.noise;
+        // Without what goes with the square and its square only the power is left.
+        let bent = [0, 1, 2, 3].map(|j| rises[j + 1] - 4.0 * rises[j]);
+        let left = [0, 1, 2].map(|j| bent[j + 1] - 16.0 * bent[j]);
+        let (near, far) = ((left[1] / left[0]).log2(), (left[2] / left[1]).log2());
+        if !(left[0].abs() > ROUNDED * noise && 0.0 < near && near < SMOOTH) {
             return None;
         }
-        let rise = bent[0] / (near.exp2() - 4.0);
-        let square = rises[0] - rise;
+        let [beyond_square, beyond_quartic] = [4.0, 16.0].map(|even| near.exp2() - even);
+        let rise = left[0] / (beyond_square * beyond_quartic);
+        let quartic = (bent[0] - beyond_square * rise) / 12.0;
+        let square = rises[0] - rise - quartic;
         // The power is off by what the next one says, and the rise by the rounding of what it is made of.
-        let error = rise.abs() * (near - far).abs() + 5.0 * noise / (near.exp2() - 4.0).abs();
-        error.is_finite().then_some(Self { to, power: near, rise, square, error })
+        let rounding = 85.0 * noise / (beyond_square * beyond_quartic).abs();
+        let error = rise.abs() * (near - far).abs() + rounding;
+        error.is_finite().then_some(Self { to, power: near, rise, square, quartic, error })
     }
 
     /// `dG/ds`.
     fn slope(&self, s: f64) -> f64 {
         let t = s / self.to;
-        (self.rise * self.power * t.powf(self.power - 1.0) + 2.0 * self.square * t) / self.to
+        let even = (2.0 * self.square + 4.0 * self.quartic * t * t) * t;
+        (self.rise * self.power * t.powf(self.power - 1.0) + even) / self.to
     }
 
     /// `int dG (s^2 + scale^2)^-beta`.
@@ -84,8 +90,8 @@ impl Start {
         if !self.is_finite(powers) {
             return 0.0;
         }
-        let sum = self.rise * self.power / excess + 2.0 * self.square / (1.0 + mu);
-        sum * self.to.powf(mu - 1.0)
+        let even = 2.0 * self.square / (1.0 + mu) + 4.0 * self.quartic / (3.0 + mu);
+        (self.rise * self.power / excess + even) * self.to.powf(mu - 1.0)
     }
 
     /// What that may be off by, which is more than anywhere else.

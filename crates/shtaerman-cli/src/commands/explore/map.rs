@@ -13,7 +13,7 @@ use crate::commands::stress::{self, Section};
 use crate::report::{self, Shown, YieldReport};
 
 /// The error of stresses that serves while something moves, as a share of the mean pressure.
-const WHILE_MOVING: f64 = 1e-4;
+const WHILE_MOVING: f64 = 1e-2;
 /// Points of a map that are asked for at most, in each direction.
 const MOST: usize = 400;
 
