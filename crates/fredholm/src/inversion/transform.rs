@@ -9,7 +9,7 @@ mod start;
 use std::f64::consts::FRAC_PI_2;
 
 use self::panel::{Panel, largest, rounding_of};
-use self::start::Start;
+use self::start::{FARTHER, Start};
 use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED, ROUNDING};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
 use super::rule::{ORDER, RULE, integral, integral_at_nodes};
@@ -68,13 +68,21 @@ fn is_for_kink(first: &Panel, ends: [f64; 2]) -> bool {
 fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start> {
     let first = panels.first()?.ends[1];
     let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
-    let shorter = panels.iter().rev().map(|panel| panel.ends[1]);
-    let halves = std::iter::successors(Some(0.5 * first), |to| Some(0.5 * to));
-    let is_short = |to: &f64| *to <= LONGEST_START * length;
+    let longest = first * (LONGEST_START * length / first).log2().floor().exp2();
+    let level = shape.transform_beyond(ends[0], 0.0);
+    let mut known: Vec<f64> = (0..FARTHER)
+        .map(|i| shape.transform_beyond(ends[0], longest * f64::from(1 << (FARTHER - i))))
+        .collect();
     let error = |start: &Start| start.error(&shape.powers);
     let mut best: Option<Start> = None;
-    for to in shorter.chain(halves).filter(is_short).take(DEEPEST as usize) {
-        let start = Start::new(shape, ends[0], to);
+    for i in 0..DEEPEST {
+        let to = longest * 0.5f64.powi(i as i32);
+        known.push(shape.transform_beyond(ends[0], to));
+        let is_end = to < first || panels.iter().any(|panel| panel.ends[1] == to);
+        if !is_end {
+            continue;
+        }
+        let start = Start::new(to, level, &known[known.len() - 5..], shape.noise);
         let is_better = |next: &Start| best.is_none_or(|best| error(next) < error(&best));
         match start.filter(is_better) {
             None if best.is_some() => break,
@@ -163,10 +171,12 @@ impl Segment {
     fn missed(&self, powers: &Powers) -> f64 {
         let at_bend = |segment: &Self| segment.pressure(powers, self.ends[0]);
         let change = (at_bend(self) - at_bend(&self.truncated(powers))).abs();
-        // Under a kink it is infinite.
-        let rounded = self.panels.first().map_or(0.0, |first| {
+        // The rounding of long panels is felt everywhere, and stated for all.
+        let is_short = |first: &&Panel| first.ends[1] < BENT * leg(self.ends[1], self.ends[0]);
+        let rounded = self.panels.first().filter(is_short).map_or(0.0, |first| {
             first.blown(largest(&first.values)) * first.length().powf(powers.exponent())
         });
+        // Under a kink it is infinite.
         if change.is_finite() { MISSED * (change + rounded) } else { 0.0 }
     }
 

@@ -3,13 +3,14 @@
 use super::super::powers::Powers;
 use super::super::roots::CONSTANT;
 use super::super::rule::integral;
-use super::super::shape::Shape;
 use super::{STEP, stepwise};
 
 /// Nodes crowd towards the bend as this power, so that what goes with any power of the distance is a smooth function of theirs.
 const CROWDED: i32 = 8;
 /// From the next even power on a power is as good as hidden behind those (theory).
 const SMOOTH: f64 = 4.0;
+/// How often the distance is doubled to see the power.
+pub(super) const FARTHER: u32 = 4;
 /// Rounding of `G` where it is integrated in parts, in roundings of its size.
 const ROUNDED: f64 = 16.0;
 
@@ -29,12 +30,12 @@ pub(super) struct Start {
 }
 
 impl Start {
-    /// From what `G` rises to once, twice and up to sixteen times as far; none where that shows no power.
-    pub(super) fn new(shape: &Shape<'_>, kink: f64, to: f64) -> Option<Self> {
-        let [level, places @ ..] =
-            [0.0, 1.0, 2.0, 4.0, 8.0, 16.0].map(|t| shape.transform_beyond(kink, t * to));
+    /// From `G(b)` and what `G` is sixteen, eight, four and two times as far, and at `to`; none where that shows no power. The noise is that of `G` beyond rounding.
+    pub(super) fn new(to: f64, level: f64, known: &[f64], noise: f64) -> Option<Self> {
+        let &[sixteen, eight, four, two, one] = known else { return None };
+        let places = [one, two, four, eight, sixteen];
         let rises = places.map(|value| value - level);
-        let noise = ROUNDED * f64::EPSILON * level.abs().max(places[4].abs()) + shape.noise;
+        let noise = ROUNDED * f64::EPSILON * level.abs().max(places[4].abs()) + noise;
         // Without what goes with the square and its square only the power is left.
         let bent = [0, 1, 2, 3].map(|j| rises[j + 1] - 4.0 * rises[j]);
         let left = [0, 1, 2].map(|j| bent[j + 1] - 16.0 * bent[j]);
