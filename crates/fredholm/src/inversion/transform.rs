@@ -9,8 +9,8 @@ mod start;
 use std::f64::consts::FRAC_PI_2;
 
 use self::panel::{Panel, largest, rounding_of};
-use self::start::{FARTHER, Start};
-use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED, ROUNDING};
+use self::start::{FARTHER, Seen, Start};
+use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
 use super::rule::{ORDER, RULE, integral, integral_at_nodes};
 use super::shape::{Shape, Symmetry};
@@ -28,6 +28,8 @@ const SHORT: f64 = 1e-5;
 const LONGEST_START: f64 = 1.0 / 16.0;
 /// A first panel shorter than this share of its segment is there for a bend (survey).
 const BENT: f64 = 1e-2;
+/// Halvings of the first panel at most: each leaves a twentieth of what a power of 5 makes, as bends of splines do (theory).
+const HALVINGS: usize = 3;
 /// What polynomials on panels miss beside a power, in what their last two terms make: four at most (survey).
 const MISSED: f64 = 8.0;
 /// A bend that is no nearer to the middle of a zone, in radii, is known to what is stated (survey).
@@ -82,11 +84,12 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
         if !is_end {
             continue;
         }
-        let start = Start::new(to, level, &known[known.len() - 5..], shape.noise);
-        let is_better = |next: &Start| best.is_none_or(|best| error(next) < error(&best));
-        match start.filter(is_better) {
-            None if best.is_some() => break,
-            found => best = found,
+        match Start::new(to, level, &known[known.len() - 5..], shape.noise) {
+            Seen::Power(start) if best.is_none_or(|best| error(&start) < error(&best)) => {
+                best = Some(start);
+            }
+            Seen::Other if best.is_none() => {}
+            _ => break,
         }
     }
     // Under a kink of homogeneous ground the pressure is infinite. What an odd part has in the middle is felt times the distance from there.
@@ -140,24 +143,25 @@ impl Segment {
             panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
         let plain = Self::at_rest(ends, panels, &shape.powers);
         let missed = plain.missed(&shape.powers);
-        if missed <= ROUNDING * plain.pressure(&shape.powers, ends[0]).abs() {
+        if missed <= NOISE * plain.pressure(&shape.powers, ends[0]).abs() {
             return plain;
         }
         let start = started(shape, ends, &plain.panels);
         match start.filter(|start| start.error(&shape.powers) < missed) {
             Some(start) => plain.beyond_start(shape, start),
-            None => plain,
+            None => plain.halved(shape, missed),
         }
     }
 
-    /// The same with panels from the end of a start on.
+    /// The same with panels from the end of a start on, each four times as long as the one before.
     fn beyond_start(mut self, shape: &Shape<'_>, start: Start) -> Self {
         let panel = |own: [f64; 2]| Panel::new(own, sample(shape, self.ends[0], own));
         let mut to = self.panels[0].ends[1];
         let mut added = Vec::new();
         while to > start.to {
-            added.push(panel([0.5 * to, to]));
-            to *= 0.5;
+            let from = (0.25 * to).max(start.to);
+            added.push(panel([from, to]));
+            to = from;
         }
         if !added.is_empty() {
             added.push(panel([0.0, to]));
@@ -165,6 +169,28 @@ impl Segment {
             self.panels.splice(..1, added);
         }
         Self { start: Some(start), ..self }
+    }
+
+    /// The same with a shorter first panel, as long as that pays: less of a power is missed.
+    fn halved(self, shape: &Shape<'_>, mut missed: f64) -> Self {
+        let (ends, mut best) = (self.ends, self);
+        for _ in 0..HALVINGS {
+            let Some([from, to]) = best.panels.first().map(|panel| panel.ends) else { break };
+            let middle = 0.5 * (from + to);
+            let halves = [[from, middle], [middle, to]];
+            let halves = halves.map(|own| Panel::new(own, sample(shape, ends[0], own)));
+            let panels = halves.iter().chain(&best.panels[1..]).cloned().collect();
+            let next = Self::at_rest(ends, panels, &shape.powers);
+            let left = next.missed(&shape.powers);
+            if left > 0.5 * missed {
+                break;
+            }
+            (best, missed) = (next, left);
+            if missed <= NOISE * best.pressure(&shape.powers, ends[0]).abs() {
+                break;
+            }
+        }
+        best
     }
 
     /// What polynomials miss of the pressure at the bend.

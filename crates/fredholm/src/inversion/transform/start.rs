@@ -29,10 +29,21 @@ pub(super) struct Start {
     error: f64,
 }
 
+/// What `G` shows beside a bend.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Seen {
+    /// A power.
+    Power(Start),
+    /// None yet: nearer there may be one.
+    Other,
+    /// Nothing but rounding, and no more nearer.
+    Noise,
+}
+
 impl Start {
-    /// From `G(b)` and what `G` is sixteen, eight, four and two times as far, and at `to`; none where that shows no power. The noise is that of `G` beyond rounding.
-    pub(super) fn new(to: f64, level: f64, known: &[f64], noise: f64) -> Option<Self> {
-        let &[sixteen, eight, four, two, one] = known else { return None };
+    /// From `G(b)` and what `G` is sixteen, eight, four and two times as far, and at `to`; in this order. The noise is that of `G` beyond rounding.
+    pub(super) fn new(to: f64, level: f64, known: &[f64], noise: f64) -> Seen {
+        let &[sixteen, eight, four, two, one] = known else { return Seen::Other };
         let places = [one, two, four, eight, sixteen];
         let rises = places.map(|value| value - level);
         let noise = ROUNDED * f64::EPSILON * level.abs().max(places[4].abs()) + noise;
@@ -40,8 +51,11 @@ impl Start {
         let bent = [0, 1, 2, 3].map(|j| rises[j + 1] - 4.0 * rises[j]);
         let left = [0, 1, 2].map(|j| bent[j + 1] - 16.0 * bent[j]);
         let (near, far) = ((left[1] / left[0]).log2(), (left[2] / left[1]).log2());
-        if !(left[0].abs() > ROUNDED * noise && 0.0 < near && near < SMOOTH) {
-            return None;
+        if left[0].abs() <= ROUNDED * noise {
+            return Seen::Noise;
+        }
+        if !(0.0 < near && near < SMOOTH) {
+            return Seen::Other;
         }
         let [beyond_square, beyond_quartic] = [4.0, 16.0].map(|even| near.exp2() - even);
         let rise = left[0] / (beyond_square * beyond_quartic);
@@ -50,7 +64,11 @@ impl Start {
         // The power is off by what the next one says, and the rise by the rounding of what it is made of.
         let rounding = 85.0 * noise / (beyond_square * beyond_quartic).abs();
         let error = rise.abs() * (near - far).abs() + rounding;
-        error.is_finite().then_some(Self { to, power: near, rise, square, quartic, error })
+        if error.is_finite() {
+            Seen::Power(Self { to, power: near, rise, square, quartic, error })
+        } else {
+            Seen::Other
+        }
     }
 
     /// `dG/ds`.
