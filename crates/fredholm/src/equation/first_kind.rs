@@ -56,9 +56,8 @@ pub fn first_kind_in_parts<'a>(
         });
     }
     let Expansion { mut coefficients, mut error, resolved } = relation.expand(f)?;
-    if resolved {
-        error = error.max(misfit(relation, f, &coefficients, cuts)?);
-    }
+    let hidden = if resolved { misfit(relation, f, &coefficients, cuts)? } else { 0.0 };
+    error = error.max(hidden);
     let complete = resolved && error <= RESOLVED && coefficients.len() <= count;
     let kept = coefficients.len().min(count);
     let most = LOOKED_AT[usize::from(relation.largest_sum(&[0.0]).is_none())];
@@ -92,6 +91,10 @@ pub fn first_kind_in_parts<'a>(
         let rest = Remainder { relation, density: &known, kept, is_whole, noise };
         solution_error += rest.solution().max(SAFETY * gap);
         integral_error += rest.integral().max(SAFETY * integral_gap.abs());
+    }
+    // What no term has may be as narrow as it likes, and the narrower it is the more it raises the solution; the integral knows its height alone.
+    if hidden > RESOLVED {
+        solution_error = f64::INFINITY;
     }
     Ok(Solution {
         integral: Some(integral).filter(|_| integral_error.is_finite()),
