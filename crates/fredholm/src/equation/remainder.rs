@@ -72,7 +72,6 @@ impl Remainder<'_> {
         // Terms that do not fall where they are seen may yet be known until they are rounding.
         let later = match rate < 1.0 {
             true => block * rate / (1.0 - rate),
-            false if end < top => size(end..top),
             false if self.is_whole => 0.0,
             false => f64::INFINITY,
         };

@@ -207,3 +207,31 @@ fn a_wave_may_bend_at_its_seam() {
         }
     }
 }
+
+/// A smooth wave in full contact has the pressure `E* sum k_n u_n/2 cos(k_n x)` of its heights, and each term its stresses: also of a kink, under which the pressure is infinite.
+#[test]
+fn kinks_of_full_waves_are_integrated() {
+    const TURN: f64 = std::f64::consts::TAU;
+    let (modulus, height, mean, kink) = (1.0 / 0.91, 1e-3, 4e-3, 0.2);
+    let body = Elastic::new(1.0, 0.3).unwrap();
+    let foundation = Foundation::new(body).with_roughness(0.0).unwrap();
+    let load = Load::new(Vertical::Force(mean), Rotational::Tilt(0.0)).unwrap();
+    let profile = Profile::expression("1e-3*abs(sin(pi*(x - 0.2)))").unwrap();
+    let punch = Punch::periodic(0.5, 1.0).unwrap().with_profile(profile);
+    let field = field_of(&Problem::new(foundation, punch, load).unwrap(), None);
+    assert!(field.error() < 1e-4 * mean, "{:e}", field.error());
+    for (x, y) in [(0.2, 0.1), (0.1, 0.2), (0.21, 0.01), (-0.4, 0.05)] {
+        // |sin(t/2)| = 2/pi - 4/pi sum cos(n t)/(4 n^2 - 1)
+        let terms = (1..4000).map(|n| {
+            let (n, turn) = (f64::from(n), TURN * f64::from(n));
+            let pressure = 2.0 * modulus * turn * height / (0.5 * TURN * (4.0 * n * n - 1.0));
+            let (sine, cosine) = (turn * (x - kink)).sin_cos();
+            let fall = pressure * (-turn * y).exp();
+            [fall * (1.0 + turn * y) * cosine, fall * turn * y * sine]
+        });
+        let [normal, shear] = terms.fold([mean, 0.0], |sum, term| [0, 1].map(|i| sum[i] + term[i]));
+        let stress = field.stress(x, y).unwrap();
+        let off = (stress.sigma_y + normal).abs().max((stress.tau_xy + shear).abs());
+        assert!(off <= field.error() + 1e-15, "{x} {y}: {off:e} of {:e}", field.error());
+    }
+}
