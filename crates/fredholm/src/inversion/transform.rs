@@ -75,8 +75,8 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
     let mut known: Vec<f64> = (0..FARTHER)
         .map(|i| shape.transform_beyond(ends[0], longest * f64::from(1 << (FARTHER - i))))
         .collect();
-    let error = |start: &Start| start.error(&shape.powers);
     let mut best: Option<Start> = None;
+    let mut before = 0.0;
     for i in 0..DEEPEST {
         let to = longest * 0.5f64.powi(i as i32);
         known.push(shape.transform_beyond(ends[0], to));
@@ -85,8 +85,14 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
             continue;
         }
         match Start::new(to, level, &known[known.len() - 5..], shape.noise) {
-            Seen::Power(start) if best.is_none_or(|best| error(&start) < error(&best)) => {
-                best = Some(start);
+            Seen::Power(start) => {
+                // A difference may vanish by chance: no half is said to be better than the next power makes it.
+                let start = start.half_of(before);
+                let error = start.error(&shape.powers);
+                if best.is_some_and(|best| error >= best.error(&shape.powers)) {
+                    break;
+                }
+                (best, before) = (Some(start), start.error);
             }
             Seen::Other if best.is_none() => {}
             _ => break,

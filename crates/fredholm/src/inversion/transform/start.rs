@@ -9,6 +9,8 @@ use super::{STEP, stepwise};
 const CROWDED: i32 = 8;
 /// From the next even power on a power is as good as hidden behind those (theory).
 const SMOOTH: f64 = 4.0;
+/// Safety on what the change of the power tells: the difference of two is no bound.
+const SAFETY: f64 = 4.0;
 /// How often the distance is doubled to see the power.
 pub(super) const FARTHER: u32 = 4;
 /// Rounding of `G` where it is integrated in parts, in roundings of its size.
@@ -26,7 +28,7 @@ pub(super) struct Start {
     square: f64,
     quartic: f64,
     /// What the rise may be off by.
-    error: f64,
+    pub(super) error: f64,
 }
 
 /// What `G` shows beside a bend.
@@ -63,12 +65,17 @@ impl Start {
         let square = rises[0] - rise - quartic;
         // The power is off by what the next one says, and the rise by the rounding of what it is made of.
         let rounding = 85.0 * noise / (beyond_square * beyond_quartic).abs();
-        let error = rise.abs() * (near - far).abs() + rounding;
+        let error = SAFETY * rise.abs() * (near - far).abs() + rounding;
         if error.is_finite() {
             Seen::Power(Self { to, power: near, rise, square, quartic, error })
         } else {
             Seen::Other
         }
+    }
+
+    /// The same, known no better than a half of one that is known to so much: the next power falls by two more.
+    pub(super) fn half_of(self, error: f64) -> Self {
+        Self { error: self.error.max(error * (-self.power - 2.0).exp2()), ..self }
     }
 
     /// `dG/ds`.

@@ -228,9 +228,45 @@ fn beside_a_bend_it_is_as_exact_as_stated() {
 }
 
 #[test]
-fn beside_a_bend_with_a_higher_power_it_is_as_exact_as_stated() {
+fn beside_bends_of_many_powers_it_is_as_exact_as_stated() {
     // The same by the hypergeometric function, at 0.67 b, b (1 - 1e-9), b, b (1 + 1e-9) and 0.5.
     for (mu, n, b, exact) in [
+        (
+            0.5,
+            1.1,
+            0.126057046,
+            [
+                1.595_800_195_456_907_7,
+                1.694_267_668_144_959_3,
+                1.694_268_730_479_291_6,
+                1.694_268_048_251_221_6,
+                0.959_267_256_033_093_82,
+            ],
+        ),
+        (
+            0.3,
+            1.3,
+            0.062745178,
+            [
+                2.336_352_815_437_452_4,
+                2.440_602_139_740_554_4,
+                2.440_603_231_429_025_6,
+                2.440_603_039_655_155,
+                1.451_794_481_819_427_1,
+            ],
+        ),
+        (
+            0.5,
+            1.3,
+            0.126057046,
+            [
+                1.508_680_553_015_889_5,
+                1.563_436_491_606_169_6,
+                1.563_436_510_656_795_3,
+                1.563_436_514_710_026,
+                1.044_545_103_379_441_5,
+            ],
+        ),
         (
             0.5,
             1.4656,
@@ -345,10 +381,13 @@ fn beside_a_bend_with_a_higher_power_it_is_as_exact_as_stated() {
         };
         let transform = AbelTransform::new(&shape, 1.0);
         let error = transform.bend_error();
-        assert!(error < 1e-9, "{mu} {n} {b}: {error:e}");
+        // The lower the power the less is known of it.
+        let most = if n < 1.4 { 1e-6 } else { 1e-9 };
+        assert!(error < most, "{mu} {n} {b}: {error:e}");
         let places = [b * 0.67, b - b * 1e-9, b, b + b * 1e-9, 0.5];
         for (r, exact) in places.into_iter().zip(exact) {
             let off = (transform.pressure(r) - exact).abs();
+            println!("{mu} {n} {b} {r}: off {off:.1e}, stated {error:.1e}");
             assert!(off <= error + 1e-13 * exact, "{mu} {n} {b} {r}: {off:e} {error:e}");
         }
     }
