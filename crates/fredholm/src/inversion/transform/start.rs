@@ -3,7 +3,7 @@
 use super::super::powers::Powers;
 use super::super::roots::CONSTANT;
 use super::super::rule::integral;
-use super::{STEP, stepwise};
+use super::steps::{STEP, stepwise};
 
 /// Nodes crowd towards the bend as this power, so that what goes with any power of the distance is a smooth function of theirs.
 const CROWDED: i32 = 8;
@@ -44,7 +44,7 @@ pub(super) enum Seen {
 
 impl Start {
     /// From `G(b)` and what `G` is sixteen, eight, four and two times as far, and at `to`; in this order. The noise is that of `G` beyond rounding.
-    pub(super) fn new(to: f64, level: f64, known: &[f64], noise: f64) -> Seen {
+    pub(super) fn seen(to: f64, level: f64, known: &[f64], noise: f64) -> Seen {
         let &[sixteen, eight, four, two, one] = known else { return Seen::Other };
         let places = [one, two, four, eight, sixteen];
         let rises = places.map(|value| value - level);
