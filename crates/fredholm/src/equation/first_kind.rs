@@ -24,7 +24,7 @@ const LOOKED_AT: [usize; 2] = [1 << 16, 1 << 12];
 /// statement of the error is for `phi/w`. No more than `count` terms are used.
 ///
 /// The error is an estimate: rounding of the coefficients divided by the eigenvalues, and where `f` is not resolved the difference from the sum of half as many terms, times 4, or what is left out
-/// if that is more, by the rate at which the terms fall. It is infinite where they do not fall: under a kink the solution itself is infinite.
+/// if that is more, by the rate at which the terms fall. It is infinite where they do not fall: under a kink the solution itself is infinite; and where values between the nodes show what no term has.
 /// Whether it is resolved, its values show at the nodes and at 6000 places between them; a feature narrower than about a 4000th of the interval may be hidden from all of these.
 ///
 /// # Errors
