@@ -79,6 +79,11 @@ impl Shape<'_> {
         self.transformed(x, |at| ((x - at) * (x + at)).sqrt())
     }
 
+    /// The share to which a transform is exact beside its rounding.
+    pub fn inexactness(&self) -> f64 {
+        INNER * self.tolerance
+    }
+
     fn transformed(&self, x: f64, leg: impl Fn(f64) -> f64) -> f64 {
         match self.part {
             Symmetry::Revolution => x * self.integrated(x, Weight::One, leg),
@@ -152,7 +157,7 @@ impl Shape<'_> {
                 Panel { piece, ends: turn, whole, tail, depth: 0, before: f64::INFINITY }
             })
             .collect();
-        let agreed = (INNER * self.tolerance).max(OF_A_VALUE) * size + self.noise;
+        let agreed = self.inexactness().max(OF_A_VALUE) * size + self.noise;
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {

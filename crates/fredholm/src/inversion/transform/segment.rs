@@ -22,8 +22,8 @@ const LONGEST_START: f64 = 1.0 / 16.0;
 const BENT: f64 = 1e-2;
 /// Halvings of the first panel at most: each leaves a twentieth of what a power of 5 makes, as bends of splines do (theory).
 const HALVINGS: usize = 3;
-/// What polynomials on panels miss beside a power, in what their last two terms make: four at most (survey).
-const MISSED: f64 = 8.0;
+/// What polynomials on panels miss beside a power, in what their last two terms make: four at most, 24 beside `s^2 ln s` (survey).
+const MISSED: f64 = 32.0;
 
 /// A panel that may be halved.
 struct Sampled {
@@ -62,6 +62,7 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
     let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
     let longest = first * (LONGEST_START * length / first).log2().floor().exp2();
     let level = shape.transform_beyond(ends[0], 0.0);
+    let noise = shape.noise + shape.inexactness() * level.abs();
     let mut known: Vec<f64> = (0..FARTHER)
         .map(|i| shape.transform_beyond(ends[0], longest * f64::from(1 << (FARTHER - i))))
         .collect();
@@ -74,7 +75,7 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
         if !is_end {
             continue;
         }
-        match Start::seen(to, level, &known[known.len() - 5..], shape.noise) {
+        match Start::seen(to, level, &known[known.len() - 5..], noise) {
             Seen::Power(start) => {
                 // A difference may vanish by chance: no half is said to be better than the next power makes it.
                 let start = start.half_of(before);
@@ -208,9 +209,30 @@ impl Segment {
         self.panels.first().is_some_and(|first| first.ends[1] <= BENT * leg(end, bend))
     }
 
+    /// What polynomials miss of the pressure beside the end, where the base may bend from this side as well: no place sees more of it than those in the last panel.
+    fn missed_at_end(&self, powers: &Powers) -> f64 {
+        let [kink, end] = self.ends;
+        let last = self.panels.last();
+        let Some(last) = last.filter(|last| last.length() <= BENT * leg(end, kink)) else {
+            return 0.0;
+        };
+        let less = self.truncated(powers);
+        let [from, to] = last.ends;
+        // Where the nodes crowd it is most.
+        let crowd = last.length() / (ORDER * ORDER) as f64;
+        let changes = [from, 0.5 * (from + to), to - crowd].map(|s| {
+            let r = kink.hypot(s);
+            (self.pressure(powers, r) - less.pressure(powers, r)).abs()
+        });
+        // Under a kink it is infinite.
+        let change = changes.into_iter().filter(|change| change.is_finite()).fold(0.0, f64::max);
+        MISSED * change
+    }
+
     /// What the pressure beside the bend may be off by.
     pub(super) fn bend_error(&self, powers: &Powers) -> f64 {
-        self.start.map_or_else(|| self.missed(powers), |start| start.error(powers))
+        let at_bend = self.start.map_or_else(|| self.missed(powers), |start| start.error(powers));
+        at_bend + self.missed_at_end(powers)
     }
 
     /// On graded ground `G` rises from a bend as a power above 1 of `s`, but where a kink was not told.

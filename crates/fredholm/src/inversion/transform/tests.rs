@@ -393,3 +393,35 @@ fn beside_bends_of_many_powers_it_is_as_exact_as_stated() {
         }
     }
 }
+
+#[test]
+fn a_bend_that_is_felt_on_both_sides_is_as_exact_as_stated() {
+    // Against panels that go on to rounding. Below the bend `G` is singular at the end of its segment.
+    let bend = 0.126_057_046;
+    for (mu, n) in [(0.5f64, 1.1f64), (0.3, 1.3), (0.0, 1.5), (0.1, 1.9)] {
+        let slope = |r: f64| 0.2 * r + n * (r - bend).abs().powf(n - 1.0) * (r - bend).signum();
+        let of = |tolerance: f64| {
+            let shape = Shape {
+                slope: &slope,
+                breaks: vec![bend],
+                joints: Vec::new(),
+                tolerance,
+                noise: 0.0,
+                powers: Powers::new(mu).unwrap(),
+                part: Symmetry::Revolution,
+                is_over: &|| false,
+            };
+            AbelTransform::new(&shape, 1.0)
+        };
+        let best = of(0.0);
+        for tolerance in [1e-14, 1e-12] {
+            let found = of(tolerance);
+            let error = found.bend_error();
+            for share in [-1e-1, -1e-3, -1.5e-4, -1e-6, -1e-8, -1e-10, 0.0, 1e-8, 1e-4] {
+                let r = bend * (1.0 + share);
+                let off = (found.pressure(r) - best.pressure(r)).abs();
+                assert!(off <= error + 1e-14, "{mu} {n} {tolerance} {share}: {off:e} {error:e}");
+            }
+        }
+    }
+}
