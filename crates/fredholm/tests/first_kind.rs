@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use fredholm::equation::first_kind;
+use fredholm::equation::{first_kind, first_kind_in_parts};
 use fredholm::kernel::{Logarithm, LogarithmSquare, Power};
 use shtaerman_random::Random;
 
@@ -98,4 +98,21 @@ fn under_kinks_and_steps_no_error_is_finite() {
     let power = Power::new(fredholm::Interval::symmetric(1.0).unwrap(), 0.4).unwrap();
     let step = first_kind(&power, &|x| if x < 0.3 { 0.0 } else { 1.0 }, TERMS).unwrap();
     assert!(step.error.solution.is_infinite());
+}
+
+/// A dent `A e^(-((x-c)/w)^2)` adds `2 A/(pi^1.5 w)` to the solution at its middle: nothing less may be stated where no term has it.
+#[test]
+fn a_dent_that_no_term_has_is_not_solved() {
+    let relation = Logarithm::unit();
+    for (height, width) in [(1e-2f64, 1e-6f64), (1e-5, 1e-5), (1e-7, 1e-6)] {
+        let f = |x: f64| 1.0 + height * (-((x - 0.3) / width).powi(2)).exp();
+        let added = 2.0 * height / (PI.powf(1.5) * width);
+        let cuts: Vec<f64> = (-6..=6).map(|i| 0.3 + f64::from(i) * width).collect();
+        let solution = first_kind_in_parts(&relation, &f, &cuts, 64).unwrap();
+        assert!(
+            solution.error.solution >= added,
+            "{height} {width}: {:e}",
+            solution.error.solution
+        );
+    }
 }
