@@ -11,7 +11,7 @@ const COARSE = [[61, 31], [41, 21], [25, 13]];
 /** What comes in this time (ms) is drawn in one frame with the answer: nearly what a redraw may take. */
 const IN_TIME = 45;
 /** A map has fewer points where it comes later than this (ms), since to draw takes as long again, and more where it comes in half of it. */
-const SOON = 20;
+const SOON = 14;
 const FINE = [161, 81];
 const BANDS = 14;
 const LEFT = 62;
