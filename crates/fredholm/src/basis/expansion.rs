@@ -6,7 +6,8 @@ use crate::quadrature::Rule;
 use crate::quadrature::places::places_in_parts;
 
 /// Fewest and most terms tried.
-const COUNTS: [usize; 2] = [32, 1024];
+const FEWEST_TERMS: usize = 32;
+pub(crate) const MOST_TERMS: usize = 1024;
 /// Terms below this share of the largest value of the function count as rounding.
 const ROUNDING: f64 = 4e-16;
 /// An expansion that is this close between the nodes, relative to the largest value, resolves the function.
@@ -37,12 +38,12 @@ pub(crate) fn expand_at_nodes<Node>(
     place: impl Fn(&Node) -> f64,
     functions: impl Fn(&Node, &mut [f64]),
 ) -> Result<Expansion, Error> {
-    let most = COUNTS[1].min(relation.available());
-    let mut count = COUNTS[0].min(most);
+    let most = MOST_TERMS.min(relation.available());
+    let mut count = FEWEST_TERMS.min(most);
     let mut current = rule(count)?;
     let mut values = sample(f, current.nodes.iter().map(&place))?;
     loop {
-        let next = rule((2 * count).min(2 * COUNTS[1]))?;
+        let next = rule((2 * count).min(2 * MOST_TERMS))?;
         let checks = sample(f, next.nodes.iter().map(&place))?;
         let largest = values.iter().chain(&checks).fold(0.0, |most: f64, v| most.max(v.abs()));
         let coefficients = project(relation, &current, &functions, &values, (count, largest));

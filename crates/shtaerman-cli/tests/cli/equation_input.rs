@@ -215,13 +215,27 @@ fn promises_that_cannot_be_kept_end_with_3() {
     cases.push((file(None, "1", half_line), "no digit of the solution is certain"));
     cases.push((FIRST.replace("\"1\"", "\"step(x)\""), "no digit of the solution is certain"));
     cases.push((file(Some(1.0), "exp(x)", half_line), "no digit of the solution is certain"));
+    // However small a kink or a jump, the solution of the first kind is infinite there: `p.v. int dx/(x - s)` of a step is a logarithm.
+    for (rhs, said) in [
+        ("1 + 1e-9*abs(x - 0.3)", "x = 0.3, where the right-hand side has a kink"),
+        ("1 + 1e-6*max(0, x - 0.3)^0.5", "x = 0.3, where the right-hand side has a kink"),
+        ("1 + 1e-3*max(0, 1e-9 - abs(x - 0.3))", "where the right-hand side has a kink"),
+        ("1 + 1e-11*step(x - 0.3)", "x = 0.3, where the right-hand side has a jump"),
+        ("1 + 1.41421e8*max(0, x - 0.9999999999)^1.5", "no digit of the solution is certain"),
+    ] {
+        cases.push((FIRST.replace("\"1\"", &format!("\"{rhs}\"")), said));
+    }
     for (text, said) in &cases {
         let run = run(text);
         assert_eq!(run.code, Some(3), "{text}{run:?}");
         assert!(run.stderr.starts_with("error: ") && run.stderr.contains(said), "{}", run.stderr);
     }
-    // A tolerance that can be kept is.
+    // A tolerance that can be kept is, and what looks like a kink and is none is solved.
     let folder = Folder::new();
+    for smooth in ["cos(abs(x - 0.3))", "max(x^2, 2*x^2)", "abs(x^2 - 0.3)^2", "cbrt(x)^6"] {
+        folder.write("e.toml", FIRST.replace("\"1\"", &format!("\"{smooth}\"")));
+        folder.run(&["equation", "e.toml"]).answer();
+    }
     folder.write("e.toml", solver("tolerance = 1e-6"));
     folder.run(&["equation", "e.toml"]).answer();
     // Beside an eigenvalue there is an answer, and it knows its error.

@@ -41,6 +41,7 @@ mod definition;
 mod draft;
 mod family;
 mod file;
+mod infinite;
 mod own;
 mod parts;
 mod places;

@@ -105,12 +105,18 @@ impl Equation {
         if let Some(slope) = self.cone() {
             return Err(Error::Cone { slope });
         }
-        let solution = first_kind_in_parts(
-            self.relation()?,
-            self.function(),
-            &self.parts().cuts,
-            self.terms(),
-        )?;
+        let is_finite = self.require_finite_solution();
+        if self.solver().degree.is_none() {
+            is_finite.clone()?;
+        }
+        // A narrow feature beside an end lies between breakpoints.
+        let mut cuts = self.breakpoints();
+        cuts.extend(&self.parts().cuts);
+        let mut solution =
+            first_kind_in_parts(self.relation()?, self.function(), &cuts, self.terms())?;
+        if is_finite.is_err() {
+            solution.error.solution = f64::INFINITY;
+        }
         Ok(Draft {
             solution,
             reason: "the first kind: straight from the spectral relation".to_owned(),

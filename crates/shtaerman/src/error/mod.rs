@@ -2,6 +2,7 @@
 
 mod inverse;
 mod requirement;
+mod words;
 
 pub use inverse::InverseError;
 pub(crate) use requirement::{finite, positive, require};
@@ -11,6 +12,7 @@ use std::time::Duration;
 use crate::document::FileError;
 use crate::expression::Defect;
 use crate::quantity::plain;
+use words::{attempt, relative, unsolved};
 
 /// Why a problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -374,6 +376,18 @@ pub enum Error {
         n: usize,
     },
 
+    /// The solution of an equation of the first kind is infinite at a place inside.
+    #[error(
+        "no digit of the solution is certain: it is infinite at x = {at}, where the right-hand side has {what}, as small as that may be; one that is smooth there has a solution, \
+         the second kind takes any, and with method = \"spectral\" an n of one's own is solved for its integral"
+    )]
+    InfiniteSolution {
+        /// The place.
+        at: f64,
+        /// What the right-hand side has there.
+        what: &'static str,
+    },
+
     /// A right-hand side of the first kind on a disk comes to a point at the centre.
     #[error(
         "the right-hand side is a cone at the centre, its slope at x = 0 is {slope}: the solution of the first kind is infinite there, which no sum of eigenfunctions is; \
@@ -434,33 +448,6 @@ pub enum Error {
     Equation(fredholm::Error),
 }
 
-/// A relative error; of an infinite one that there is none.
-fn relative(reached: f64) -> String {
-    if reached.is_finite() {
-        format!("a relative error of {reached:.1e}")
-    } else {
-        "no error that could be told".to_owned()
-    }
-}
-
-/// What is left of an equation with this relative error.
-fn unsolved(reached: f64) -> &'static str {
-    if reached < 1.0 { "no answer to two digits" } else { "no digit of the solution is certain" }
-}
-
-/// How far the search for zones came.
-fn attempt(tension: f64, penetration: f64) -> String {
-    if tension.is_nan() {
-        return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
-    }
-    if !(tension.is_finite() && penetration.is_finite()) {
-        return "the best attempt has no pressure that its tension, and no displacement that its penetration could be measured by; another load, roughness or profile of more usual size may be solved".to_owned();
-    }
-    format!(
-        "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
-    )
-}
-
 impl Error {
     /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
     #[must_use]
@@ -479,6 +466,7 @@ impl Error {
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
+                | Self::InfiniteSolution { .. }
                 | Self::OwnEquationUnsolved { .. }
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
