@@ -1,0 +1,28 @@
+//! Parts of messages.
+
+/// A relative error; of an infinite one that there is none.
+pub(super) fn relative(reached: f64) -> String {
+    if reached.is_finite() {
+        format!("a relative error of {reached:.1e}")
+    } else {
+        "no error that could be told".to_owned()
+    }
+}
+
+/// What is left of an equation with this relative error.
+pub(super) fn unsolved(reached: f64) -> &'static str {
+    if reached < 1.0 { "no answer to two digits" } else { "no digit of the solution is certain" }
+}
+
+/// How far the search for zones came.
+pub(super) fn attempt(tension: f64, penetration: f64) -> String {
+    if tension.is_nan() {
+        return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
+    }
+    if !(tension.is_finite() && penetration.is_finite()) {
+        return "the best attempt has no pressure that its tension, and no displacement that its penetration could be measured by; another load, roughness or profile of more usual size may be solved".to_owned();
+    }
+    format!(
+        "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
+    )
+}
