@@ -7,6 +7,13 @@ import { axisUnit, digits, quantity } from "./units.js";
 
 /** A contact narrower than this share of the base is shown larger. */
 const NARROW = 0.4;
+/** How far beside the base the surface is shown, in half-widths. */
+const BESIDE = 1.3;
+/** How thick the layer of asperities is drawn where it is free: so many times its largest compression, and a share of the depths at least, so that it can be seen. */
+const FREE = 1.25;
+const LEAST = 0.05;
+/** A base that rises from the contact by more than this many times the depths there is cut: it would flatten them. */
+const STEEP = 1.2;
 /** Pressures beyond this many times the mean are corners, and cut. */
 const CORNER = 6;
 
@@ -31,7 +38,14 @@ function nearContact(picture) {
   const width = end[1] - first[0];
   if (width > NARROW * 2 * a) return null;
   const room = Math.max(0.6 * width, 1e-6 * a);
-  return [Math.max(-1.3 * a, first[0] - room), Math.min(1.3 * a, end[1] + room)];
+  const most = reach(picture);
+  return [Math.max(-most, first[0] - room), Math.min(most, end[1] + room)];
+}
+
+/** How far from the middle there is something to show: of a wave one period, which ends nowhere. */
+function reach(picture) {
+  const a = picture.half_width;
+  return isWave(picture) ? a : BESIDE * a;
 }
 
 /** Draws both. */
@@ -42,10 +56,9 @@ export function showPictures(answer) {
 
 function draw(answer) {
   const { picture } = answer;
-  const a = picture.half_width;
   const near = nearContact(picture);
   show(zoom, near !== null);
-  const range = near && !whole ? near : [-1.3 * a, 1.3 * a];
+  const range = near && !whole ? near : [-reach(picture), reach(picture)];
   const bare = !picture.is_physical;
   const length = bare ? { factor: 1, label: "" } : picture.units?.length ?? axisUnit(Math.max(...range.map(Math.abs)), "length");
   const x = range.map((one) => one * length.factor);
@@ -110,33 +123,51 @@ function told(picture, which, kind, count) {
   return unit ? (value) => `${digits(value * unit.factor, count)} ${unit.label}` : (value) => quantity(value, kind, count);
 }
 
+/** Whether the base has no edges: it fills its period. */
+function isWave(picture) {
+  return picture.geometry === "periodic" && picture.pieces.length === 1 && Math.abs((state.si["punch.period"] ?? NaN) / 2 - picture.half_width) < 1e-9 * picture.half_width;
+}
+
 /** The edges of the base, where it has some. */
 function edges(picture) {
-  const isWave = picture.geometry === "periodic" && picture.pieces.length === 1 && Math.abs((state.si["punch.period"] ?? NaN) / 2 - picture.half_width) < 1e-9 * picture.half_width;
-  return isWave ? [] : [...new Set(picture.pieces.flat())];
+  return isWave(picture) ? [] : [...new Set(picture.pieces.flat())];
+}
+
+/** The points of a line that lie over an interval. */
+function over(points, [from, to]) {
+  return points.filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12);
+}
+
+/** Base, layer and body in a range: the body's surface lies below the layer of asperities, which has its free thickness beside the contact. */
+function pressed(picture, range) {
+  const { surface } = picture;
+  const base = picture.x.map((at, i) => [at, picture.base[i] ?? NaN]);
+  const skin = surface.x.map((at, i) => [at, surface.displacement[i] ?? NaN]);
+  const touching = picture.zones.map((zone) => over(over(base, zone), range)).flat();
+  const compression = Math.max(0, ...touching.map(([at, depth]) => depth - between(surface.x, surface.displacement, at)).filter(Number.isFinite));
+  const depths = [...over(skin, range), ...touching].map(([, depth]) => depth);
+  const [shallow, deep] = ends([0, ...depths], { room: 0 });
+  const thickness = picture.is_smooth ? 0 : Math.max(FREE * compression, LEAST * (deep - shallow));
+  const isTouching = (at) => picture.zones.some(([from, to]) => at >= from && at <= to);
+  const layer = skin.map(([at, depth]) => {
+    const top = isTouching(at) ? between(picture.x, picture.base, at) : depth;
+    return [at, Math.min(Number.isFinite(top) ? top : depth, depth + thickness), depth + thickness];
+  });
+  const body = layer.map(([at, , depth]) => [at, depth]);
+  const rises = over(base, range).map(([, depth]) => depth);
+  const [low, high] = ends([...depths, ...over(body, range).map(([, depth]) => depth)], { room: 0.12 });
+  const [highest] = ends([low, ...rises], { room: 0 });
+  return { bases: picture.pieces.map((piece) => over(base, piece)), layer, body, thickness, depths: [Math.max(highest - 0.12 * (high - highest), low - STEEP * (high - low)), high] };
 }
 
 function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
   const { picture } = answer;
   const { surface } = picture;
-  const inside = (at) => at >= range[0] && at <= range[1];
-  const bases = picture.pieces.map(([from, to]) => picture.x.map((at, i) => [at, picture.base[i]]).filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12));
-  const body = surface.x.map((at, i) => [at, surface.displacement[i]]);
-  const seen = [...bases.flat(), ...body].filter(([at]) => inside(at)).map(([, depth]) => depth ?? NaN);
-  let [low, high] = ends(seen, { room: 0.12 });
-  // A steep base beside a small contact would flatten it.
-  const depths = body.filter(([at]) => inside(at)).map(([, depth]) => depth);
-  const [shallow, deep] = ends(depths, { room: 0.12 });
-  low = Math.max(low, shallow - 1.2 * (deep - shallow));
-  high = Math.min(high, deep + 1.2 * (deep - shallow));
+  const { bases, layer, body, thickness, depths: [low, high] } = pressed(picture, range);
   const unit = bare ? { factor: 1, label: "" } : picture.units?.depth ?? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "length");
-  const scaled = (points) => points.map(([at, depth]) => [at * length.factor, (depth ?? NaN) * unit.factor]);
+  const scaled = (points) => points.map(([at, ...depths]) => [at * length.factor, ...depths.map((depth) => depth * unit.factor)]);
   const punches = bases.map(scaled);
   const skin = scaled(body);
-  // Where it touches, what lies between base and body is the layer of asperities.
-  const layers = picture.zones.map(([from, to]) =>
-    picture.x.map((at, i) => [at, picture.base[i]]).filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12).map(([at, depth]) => [at * length.factor, between(surface.x, surface.displacement, at) * unit.factor, depth * unit.factor]),
-  );
   const shown = told(picture, "depth", "length", 5);
   const place = told(picture, "length", "length", 5);
   surfaces.draw({
@@ -148,7 +179,7 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
     layers: [
       { kind: "area", class: "k-body", opacity: 0.16, base: "bottom", points: skin },
       ...punches.map((points) => ({ kind: "area", class: "k-punch", opacity: 0.14, base: "top", points })),
-      ...(picture.is_smooth ? [] : layers.map((points) => ({ kind: "band", class: "k-layer soft", points }))),
+      ...(picture.is_smooth ? [] : [{ kind: "band", class: "k-layer soft", points: scaled(layer) }]),
       { kind: "line", class: "k-body", points: skin },
       ...punches.map((points) => ({ kind: "line", class: "k-punch dashed", points })),
     ],
@@ -159,9 +190,11 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
       const depth = between(surface.x, surface.displacement, real);
       const base = picture.pieces.some(([from, to]) => real >= from && real <= to) ? between(picture.x, picture.base, real) : NaN;
       const isTouching = picture.zones.some(([from, to]) => real >= from && real <= to);
-      const gap = Number.isFinite(base) && Number.isFinite(depth) ? `, ${isTouching ? "layer" : "gap"} ${shown(Math.max(0, depth - base) || Math.abs(depth - base))}` : "";
       if (!Number.isFinite(depth)) return { text: `${name} = ${place(real)}` };
-      return { text: `${name} = ${place(real)}:  body ${shown(depth)} deep${gap}`, dots: [[at, depth * unit.factor, "k-body"], [at, base * unit.factor, "k-punch"]] };
+      const how = isTouching && Number.isFinite(base)
+        ? `base ${shown(base)} deep${picture.is_smooth ? "" : `, asperities flatter by ${shown(Math.max(0, base - depth))}`}`
+        : `surface ${shown(depth)} deep${Number.isFinite(base) ? `, gap ${shown(Math.max(0, depth - base))}` : ""}`;
+      return { text: `${name} = ${place(real)}:  ${how}`, dots: [[at, (isTouching ? base : depth) * unit.factor, "k-body"], [at, base * unit.factor, "k-punch"]] };
     },
   });
   const { left, right, top, bottom } = surfaces.frame;
@@ -169,7 +202,7 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
   legend(byId("surfaces-legend"), [
     ["k-punch", "base of the punch", "dash"],
     ["k-body", "surface of the body"],
-    ...(picture.is_smooth ? [] : [["k-layer", "asperities between them", "fill"]]),
+    ...(picture.is_smooth ? [] : [["k-layer", bare ? "asperities, drawn thick where free" : `asperities, drawn ${told(picture, "depth", "length", 2)(thickness)} thick where free`, "fill"]]),
     ...(bare ? [] : [["k-none", `depths drawn ${digits(factor, 2)} times as large as lengths`, "none"]]),
   ]);
 }

@@ -80,11 +80,14 @@ impl Separator {
     /// The fields of a line, without quotes; decimal commas as points.
     pub(super) fn fields(self, line: &str) -> Vec<String> {
         let separated = |separator: char| line.trim().split(separator).map(unquoted);
-        let with_point = |field: &str| field.replace(',', ".");
+        // A number with both has separators of thousands, which are told as they are written.
+        let with_point = |field: &str| {
+            if field.contains('.') { field.to_owned() } else { field.replace(',', ".") }
+        };
         match self {
             Self::Semicolon => separated(';').map(with_point).collect(),
             Self::Tab => separated('\t').map(with_point).collect(),
-            Self::Comma => separated(',').map(str::to_owned).collect(),
+            Self::Comma => self.parts(line),
             Self::Blanks => {
                 line.split_whitespace().map(|field| unquoted(field).to_owned()).collect()
             }

@@ -1,5 +1,6 @@
 //! From tokens to a program: operator precedence by binding powers (Pratt).
 
+use std::cmp::Reverse;
 use std::ops::Range;
 
 use super::error::{ErrorReason, ExpressionError};
@@ -309,6 +310,10 @@ fn nearest(name: &str, known: &[&str]) -> Option<String> {
     let is_near = |(distance, candidate): &(usize, &str)| {
         *distance <= allowed && *distance < candidate.chars().count()
     };
-    let near = known.iter().map(|known| (distance(known), *known)).filter(is_near).min()?;
-    Some(near.1.to_owned())
+    // Of equally near ones that which begins alike: `sinn` is `sin` sooner than `sign`.
+    let alike = |known: &str| known.bytes().zip(lower.bytes()).take_while(|(u, v)| u == v).count();
+    let near = known.iter().map(|known| (distance(known), *known)).filter(is_near);
+    let nearest =
+        near.min_by_key(|(distance, known)| (*distance, Reverse(alike(known)), *known))?;
+    Some(nearest.1.to_owned())
 }

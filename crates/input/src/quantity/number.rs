@@ -86,7 +86,7 @@ fn not_a_number(text: &str, start: usize, unsigned: usize) -> QuantityError {
 fn refuse_other_forms(text: &str, start: usize, end: usize) -> Result<(), QuantityError> {
     let tail: String = text[end..]
         .chars()
-        .take_while(|sign| sign.is_ascii_digit() || ",_^".contains(*sign))
+        .take_while(|sign| sign.is_ascii_digit() || ",._^".contains(*sign))
         .collect();
     let all = end + tail.len();
     let error = |all: usize, instead: String| {
@@ -106,11 +106,13 @@ fn refuse_other_forms(text: &str, start: usize, end: usize) -> Result<(), Quanti
     }
 }
 
-/// `1,5` is 1.5; `1,500` may be either, so both are named.
+/// `1,5` is 1.5; `1,500` may be either, so both are named; in `1.500,5` and `1,500.5` what comes last is the decimal one.
 fn without_comma(written: &str) -> String {
     let bare = written.replace([',', '_'], "");
     let groups: Vec<&str> = written.split(',').collect();
     match groups.as_slice() {
+        [_, rest] if rest.contains('.') => bare,
+        [whole, rest] if whole.contains('.') => format!("{}.{rest}", whole.replace('.', "")),
         [whole, rest] if rest.len() == 3 => format!("{bare} or {whole}.{rest}"),
         [whole, rest] => format!("{whole}.{rest}"),
         _ => bare,

@@ -12,7 +12,7 @@ pub struct PictureArguments {
     #[arg(long, value_name = "TEXT", requires = "plot", allow_hyphen_values = true)]
     pub title: Option<String>,
     /// Size, such as "160 mm x 100 mm", "6in x 4in" or 800x600, which is in 1/96 inch.
-    #[arg(long, value_name = "WIDTHxHEIGHT", requires = "plot")]
+    #[arg(long, value_name = "WIDTHxHEIGHT", requires = "plot", allow_hyphen_values = true)]
     pub size: Option<String>,
     /// Where it is to be looked at.
     #[arg(long, value_enum, default_value_t, value_name = "THEME", requires = "plot")]

@@ -48,10 +48,10 @@ pub struct TraceArguments {
     #[arg(long, value_enum, value_name = "LEVEL")]
     pub level: Option<Level>,
     /// Cutoff of a Gaussian filter (ISO 16610-21), such as "0.8 mm".
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub cutoff: Option<String>,
     /// Half-width of the base under which the trace is looked at [default: all of it].
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub half_width: Option<String>,
     #[command(flatten)]
     /// The result; CSV is the trace as it would be used.
@@ -59,7 +59,7 @@ pub struct TraceArguments {
     #[command(flatten)]
     /// The units of the result.
     pub units: UnitArguments,
-    /// Draw the trace before and after to this file (.svg, .png or .pdf).
+    /// Draw the trace before and after to this file (.svg or .png; .pdf in a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]
