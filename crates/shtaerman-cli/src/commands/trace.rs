@@ -15,6 +15,9 @@ use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
 use crate::report::{TraceReport, trace_csv};
 
+/// A longer trace is doubted where no unit was stated: it would lie under a half-width of more than 1 m (m).
+const LONGEST: f64 = 2.0;
+
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let input = Input { what: "the trace", path: &arguments.file };
@@ -32,6 +35,12 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     if half_width.is_some() && said[0].is_none() {
         let doubt = Warning::few_rows(arranged.rows_over(over), "--x-unit mm or the like");
         doubt.iter().for_each(|doubt| failure::warn(&doubt.message));
+    }
+    if said[0].is_none() && over[1] - over[0] > LONGEST {
+        failure::warn(&format!(
+            "the positions have no unit and are read in metres, {} in all: are millimetres meant? --x-unit mm",
+            units.shown(over[1] - over[0], Measure::Length)
+        ));
     }
     let begins_at_zero = half_width.is_none() && is_from_zero(&arranged);
     let covering = arranged.clone().covering(over, &name).map_err(|error| {

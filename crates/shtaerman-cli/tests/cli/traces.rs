@@ -269,11 +269,29 @@ fn a_trace_without_units_and_with_one_row_over_the_base_is_doubted() {
         assert!(!is_doubted || strict.refusal().contains(said), "{header}: {}", strict.stderr);
         let run = folder.run(&["trace", "t.csv", "--half-width", "5 mm"]);
         assert_eq!(run.stderr.contains(said), is_doubted, "{header}: {}", run.stderr);
+        let run = folder.run(&["trace", "t.csv"]);
+        let is_long = run.stderr.contains("12 m in all: are millimetres meant? --x-unit mm");
+        assert_eq!(is_long, is_doubted, "{header}: {}", run.stderr);
     }
     folder.write("t.csv", &rows);
     let stated = ["--set", "punch.profile={ csv = \"t.csv\", x_unit = \"mm\" }"];
     let table = folder.run(&[&solve[..], &stated].concat()).answer();
     assert!(!table.contains("over the base, and"), "{table}");
+}
+
+/// Separators of thousands are no decimal commas, in quotes or beside semicolons, and are told as they are written.
+#[test]
+fn a_cell_that_is_no_number_is_told_as_it_is_written() {
+    let folder = Folder::new();
+    for text in ["x,f\n\"-6,000.00\",1\n0,0\n", "x;f\n-6,000.00;1\n0;0\n"] {
+        folder.write("t.csv", text);
+        let refusal = folder.run(&["trace", "t.csv", "--x-unit", "mm"]);
+        assert!(refusal.refusal().contains("line 2: the position is not a number: `-6,000.00`"));
+    }
+    folder.write("t.csv", "x,f\n\"-6\",\"1\"\n\"0\",\"0\"\n");
+    folder.run(&["trace", "t.csv", "--x-unit", "mm", "--f-unit", "um"]).answer();
+    let run = folder.run(&["trace", "t.csv", "--x-unit", "mm", "--cutoff", "-0.25 mm"]);
+    assert!(run.refusal().contains("--cutoff `-0.25 mm`: must be greater than zero"));
 }
 
 #[test]
