@@ -5,8 +5,8 @@
 
 use std::f64::consts::PI;
 
-use shtaerman::ErrorKind;
 use shtaerman::equation::{EquationFile, SolvedEquation};
+use shtaerman::{Error, ErrorKind};
 
 /// A kernel with its parameters, `mu` (0 for logarithms), `a`, and the share of the interval that is given.
 const KERNELS: [(&str, f64, f64, f64); 6] = [
@@ -100,5 +100,38 @@ fn tents_between_the_nodes_are_in_integrals() {
         assert!((found - exact).abs() <= stated.integral + 1e-13 * exact.abs(), "{found} {exact}");
         assert!((found - exact).abs() < 1e-3 * (exact - whole).abs(), "{found} {exact} {whole}");
         assert!((top - own_top).abs() <= stated.solution + own.solution, "{top} {own_top}");
+    }
+}
+
+/// The inverse of a kernel like `|x - s|^-gamma` takes `|x - k|^q` to `|x - k|^(q - 1 + gamma)` (S. G. Samko, A. A. Kilbas, O. I. Marichev, Fractional Integrals and Derivatives, 1993): infinite at `k` for `q <= 1 - gamma`, however
+/// small it is.
+#[test]
+fn the_first_kind_is_infinite_where_the_inverse_is() {
+    let sizes = [0.7, 3e-4, -2e-7, 4e-9];
+    for (case, (gamma, q)) in [0.0, 0.1, 0.3, 0.6, 0.9]
+        .into_iter()
+        .flat_map(|gamma| [0.1, 0.4, 0.7, 0.9, 1.0, 1.3, 1.7, 3.0].map(|q| (gamma, q)))
+        .enumerate()
+    {
+        let kernel = match gamma {
+            0.0 => "name = \"log\"".to_owned(),
+            _ => format!("name = \"power\"\nmu = {gamma}"),
+        };
+        let at = [-0.37, 0.0, 0.123_456_789, 0.9][case % 4];
+        let side = ["max(0, x - {})", "abs(x - {})", "max(0, {} - x)"][case % 3];
+        let size = sizes[(case + case / 8) % 4];
+        let bend = format!("({})^{q}", side.replace("{}", &format!("({at})")));
+        for rhs in [format!("cos(2*x) + {size:e}*{bend}"), format!("{bend} - 3")] {
+            let text = format!(
+                "[equation]\nkind = \"first\"\nrhs = \"{rhs}\"\n[kernel]\n{kernel}\na = 1.1\n"
+            );
+            let file = EquationFile::parse(&text, "e.toml").unwrap();
+            let found = match file.equation().solve() {
+                Err(Error::InfiniteSolution { at, .. }) => Some(at),
+                _ => None,
+            };
+            assert_eq!(found.is_some(), q <= 1.0 - gamma, "{gamma}: {rhs}: {found:?}");
+            assert!(found.is_none_or(|found| (found - at).abs() < 1e-15), "{rhs}: {found:?}");
+        }
     }
 }
