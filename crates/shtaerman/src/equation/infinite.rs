@@ -3,8 +3,6 @@
 //! A kernel like `|x - s|^-gamma` (`gamma = 0`: a logarithm) smooths by `1 - gamma`: its inverse takes `|x - c|^p` to `|x - c|^(p - 1 + gamma)`, infinite at `c` for `p <= 1 - gamma`. What
 //! a sum of eigenfunctions shows of it drowns in rounding where it is small; the formula of the right-hand side shows it whatever its size, since what changes there changes within roundings of `c`.
 
-use fredholm::Interval;
-
 use super::{Equation, right_hand_side};
 use crate::Error;
 use crate::expression::{Expression, Line};
@@ -17,8 +15,6 @@ const FARTHER: f64 = 16.0;
 const ROUNDING: f64 = 0.01;
 /// A change of slope below this share of the slopes is rounding.
 const LEAST_SLOPE: f64 = 1e-14;
-/// Places at which the size of a right-hand side is told.
-const PLACES: u32 = 65;
 /// A change of value is this many times what rounding makes of it at least.
 const LEAST_VALUE: f64 = 4.0;
 
@@ -32,18 +28,12 @@ impl Equation {
         let look = Look {
             rhs,
             near: NEAR * range.left().abs().max(range.right().abs()),
-            least_slope: LEAST_SLOPE * self.largest_value(range) / range.half_length(),
+            least_slope: LEAST_SLOPE * right_hand_side::size(rhs, range) / range.half_length(),
             least_value: LEAST_VALUE * right_hand_side::rounding(rhs, range),
             strength: self.kernel().kernel().singularity().exponent(),
         };
         let found = |at: f64| look.change(at).map(|what| Error::InfiniteSolution { at, what });
         self.breakpoints().into_iter().find_map(found).map_or(Ok(()), Err)
-    }
-
-    fn largest_value(&self, range: Interval) -> f64 {
-        let steps = f64::from(PLACES - 1);
-        let place = |i| range.left() + 2.0 * range.half_length() * (f64::from(i) / steps);
-        (0..PLACES).map(|i| (self.function())(place(i)).abs()).fold(0.0, f64::max)
     }
 }
 
