@@ -109,7 +109,7 @@ pub struct SolveArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw pressure and deformed surface to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw pressure and deformed surface to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// What the picture shows, such as "-2 mm..2 mm" [default: the whole base, or a contact that is much less wide with its neighbourhood].
@@ -246,7 +246,7 @@ pub struct StressArguments {
     /// Poisson's ratio, for a dimensionless file.
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     pub poisson_ratio: Option<f64>,
-    /// Draw a map to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw a map to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]
@@ -280,7 +280,7 @@ pub struct ReproduceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw Fig. 2 (f0 = lambda0 xi^2) as the paper computed it and as it is (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw Fig. 2 (f0 = lambda0 xi^2) as the paper computed it and as it is (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]
@@ -317,7 +317,7 @@ pub struct ConvergenceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw the differences over n (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw the differences over n (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]
@@ -343,7 +343,7 @@ pub struct EquationArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw the solution to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw the solution to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// What the picture shows, such as "0.8..1" [default: all of the interval].

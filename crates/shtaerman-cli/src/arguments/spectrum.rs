@@ -25,7 +25,7 @@ pub struct SpectrumArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw the first eigenfunctions to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw the first eigenfunctions to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]

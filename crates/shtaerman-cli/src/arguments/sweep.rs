@@ -47,7 +47,7 @@ pub struct SweepArguments {
     /// Compute nothing: tell what the folder has, its extremes and the parts that are missing.
     #[arg(long, conflicts_with = "shard")]
     pub summary: bool,
-    /// Draw the outputs over the varied value, or over one of several, to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw the outputs over the varied value, or over one of several, to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]

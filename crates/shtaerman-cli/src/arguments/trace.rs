@@ -59,7 +59,7 @@ pub struct TraceArguments {
     #[command(flatten)]
     /// The units of the result.
     pub units: UnitArguments,
-    /// Draw the trace before and after to this file (.svg or .png; .pdf in a build with the feature `pdf`).
+    /// Draw the trace before and after to this file (.svg, .png, or .pdf, which takes a Chromium or a build with the feature `pdf`).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]

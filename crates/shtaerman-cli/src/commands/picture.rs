@@ -7,17 +7,22 @@ use shtaerman::quantity::Dimension;
 use super::places;
 use crate::Failure;
 use crate::arguments::PictureArguments;
-use crate::output::Outputs;
+use crate::output::{Outputs, Printer};
 pub(super) use crate::plot::Titled;
-use crate::plot::{Format, Look, Plot, Size, render_as};
+use crate::plot::{Format, Look, Plot, PlotError, Size, page, render_as};
 
 /// Units of a size in a metre: 96 in an inch.
 const UNITS_PER_METRE: f64 = 96.0 / 0.0254;
+
+/// What makes a PDF without a browser.
+const BUILT: &str = "write .svg or .png, or build the program with the feature for it (cargo install --path crates/shtaerman-cli --features pdf)";
 
 /// A file with its format, and how the picture in it looks.
 pub(super) struct Picture<'a> {
     path: &'a Path,
     format: Format,
+    /// What prints a PDF where the program was built without it.
+    printer: Option<Printer>,
     look: Look,
     title: Option<&'a str>,
 }
@@ -29,7 +34,10 @@ impl<'a> Picture<'a> {
         arguments: &'a PictureArguments,
     ) -> Result<Option<Self>, Failure> {
         let Some(path) = path else { return Ok(None) };
-        let format = Format::of_file(path)?;
+        let (format, printer) = match Format::of_file(path) {
+            Err(PlotError::NoPdf) => (Format::Pdf, Some(Printer::find(BUILT)?)),
+            format => (format?, None),
+        };
         let look = Look {
             size: arguments.size.as_deref().map(size).transpose()?,
             theme: arguments.theme.into(),
@@ -41,7 +49,7 @@ impl<'a> Picture<'a> {
             let message = "--dpi is for .png: the other formats have no dots";
             return Err(Failure::Usage(message.to_owned()));
         }
-        Ok(Some(Self { path, format, look, title: arguments.title.as_deref() }))
+        Ok(Some(Self { path, format, printer, look, title: arguments.title.as_deref() }))
     }
 
     /// Draws it into the outputs.
@@ -51,7 +59,11 @@ impl<'a> Picture<'a> {
             title.clone_into(&mut figure.title);
         }
         let titled = Titled { figure, size: plot.usual_size() };
-        outputs.file(self.path, render_as(&titled, self.format, self.look)?);
+        let bytes = match &self.printer {
+            Some(printer) => printer.pdf(&page(&titled, self.look)?)?,
+            None => render_as(&titled, self.format, self.look)?,
+        };
+        outputs.file(self.path, bytes);
         Ok(())
     }
 }

@@ -32,7 +32,9 @@ impl<'a> ReportFile<'a> {
         let suffix = path.extension().map(|suffix| suffix.to_string_lossy().to_ascii_lowercase());
         let printer = match suffix.as_deref() {
             Some("html" | "htm") => None,
-            Some("pdf") => Some(Printer::find()?),
+            Some("pdf") => {
+                Some(Printer::find("write --report FILE.html, which any browser prints")?)
+            }
             _ => {
                 let message = format!("--report {}: must end in .html or .pdf", path.display());
                 return Err(Failure::Usage(message));

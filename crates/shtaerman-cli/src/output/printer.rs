@@ -42,8 +42,8 @@ impl Printer {
     /// The browser that the user names, or one of those there are.
     ///
     /// # Errors
-    /// [`Failure::Usage`] where there is none.
-    pub(crate) fn find() -> Result<Self, Failure> {
+    /// [`Failure::Usage`] where there is none, with what else can be done.
+    pub(crate) fn find(otherwise: &str) -> Result<Self, Failure> {
         if let Some(named) = std::env::var_os(VARIABLE).filter(|named| !named.is_empty()) {
             let path = PathBuf::from(named);
             if path.is_file() {
@@ -61,7 +61,7 @@ impl Printer {
         let found = on_path.chain(PLACES.map(PathBuf::from)).find(|path| path.is_file());
         found.map(Self).ok_or_else(|| {
             Failure::Usage(format!(
-                "a PDF is printed by Chromium, Chrome or Edge, and none was found: name it by {VARIABLE}, or write --report FILE.html, which any browser prints"
+                "a PDF is printed by Chromium, Chrome or Edge, and none was found: name it by {VARIABLE}, or {otherwise}"
             ))
         })
     }
@@ -72,11 +72,11 @@ impl Printer {
     /// [`Failure::Check`] where the browser does not print it.
     pub(crate) fn pdf(&self, html: &str) -> Result<Vec<u8>, Failure> {
         let failed = |what: String| {
-            Failure::Check(format!("{} did not print the report: {what}", self.0.display()))
+            Failure::Check(format!("{} did not print the page: {what}", self.0.display()))
         };
         let folder = tempfile::Builder::new().prefix(super::TEMPORARY).tempdir();
         let folder = folder.map_err(|error| failed(error.to_string()))?;
-        let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
+        let (page, pdf) = (folder.path().join("page.html"), folder.path().join("page.pdf"));
         std::fs::write(&page, html).map_err(|error| failed(error.to_string()))?;
         let mut browser =
             self.start(folder.path(), &page, &pdf).map_err(|error| failed(error.to_string()))?;

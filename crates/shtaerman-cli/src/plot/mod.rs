@@ -55,6 +55,7 @@ pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use look::Look;
 pub(crate) use look::Titled;
 pub use map::MapPlot;
+pub(crate) use render::page;
 pub use render::{render, render_as};
 pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};
 pub use solution::SolutionPlot;

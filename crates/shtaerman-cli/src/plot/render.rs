@@ -30,6 +30,37 @@ pub fn render(plot: &dyn Plot, format: Format, size: Size) -> Result<Vec<u8>, Pl
 /// [`PlotError::Size`] when the size is outside of [`Size::SMALLEST`] to [`Size::LARGEST`], [`PlotError::Crowded`] where there is no room in it for what is drawn; [`PlotError::Resolution`] for a PNG of a resolution out of range;
 /// [`PlotError::Encoding`] when the file cannot be encoded; [`PlotError::NoPdf`] for a PDF without the feature `pdf`.
 pub fn render_as(plot: &dyn Plot, format: Format, look: Look) -> Result<Vec<u8>, PlotError> {
+    let Drawn { scene, figure, size } = drawn(plot, look)?;
+    match format {
+        Format::Svg => Ok(svg(&scene, &figure, size).into_bytes()),
+        Format::Png => raster::png(&scene, size, look.resolution(size)?),
+        Format::Pdf => pdf(&scene, size),
+    }
+}
+
+/// A page of the size of the picture, for a browser that prints it.
+///
+/// # Errors
+///
+/// As [`render_as`] of an SVG.
+pub(crate) fn page(plot: &dyn Plot, look: Look) -> Result<String, PlotError> {
+    let Drawn { scene, figure, size } = drawn(plot, look)?;
+    let Size { width, height } = size;
+    Ok(format!(
+        "<!doctype html><meta charset=\"utf-8\"><title>{}</title><style>@page{{size:{width}px {height}px;margin:0}}body{{margin:0}}svg{{display:block}}</style>{}",
+        escaped(&text::clean(&figure.title)),
+        svg(&scene, &figure, size)
+    ))
+}
+
+/// A figure in its place.
+struct Drawn {
+    scene: Scene,
+    figure: Figure,
+    size: Size,
+}
+
+fn drawn(plot: &dyn Plot, look: Look) -> Result<Drawn, PlotError> {
     let figure = plot.figure();
     let (size, layout) = match look.size {
         Some(size) => {
@@ -39,11 +70,7 @@ pub fn render_as(plot: &dyn Plot, format: Format, look: Look) -> Result<Vec<u8>,
         None => usually(&figure, look.usual_size(plot), look.theme),
     };
     let scene = draw::figure(&figure, &layout, size, look.theme);
-    match format {
-        Format::Svg => Ok(svg(&scene, &figure, size).into_bytes()),
-        Format::Png => raster::png(&scene, size, look.resolution(size)?),
-        Format::Pdf => pdf(&scene, size),
-    }
+    Ok(Drawn { scene, figure, size })
 }
 
 /// The scene as SVG that scales, with round corners of strokes, and with what it shows as text for readers who do not see it.

@@ -66,9 +66,35 @@ fn options_of_a_picture_need_one_and_make_sense() {
         assert_eq!(code, Some(2), "{options:?}: {stderr}");
         assert!(stderr.contains(said), "{options:?}: {stderr}");
     }
-    if cfg!(not(feature = "pdf")) {
-        let (code, stderr) = refused(&["--plot", "p.pdf"]);
-        assert!(code == Some(2) && stderr.contains("--features pdf"), "{stderr}");
+}
+
+/// A program that was built without PDF has it printed by a browser, on a page of the size of the picture.
+#[test]
+#[cfg(not(feature = "pdf"))]
+fn a_pdf_is_printed_by_a_browser() {
+    let folder = Folder::with(UNILATERAL);
+    let run = |variables: &[(&str, &str)]| {
+        let mut command = std::process::Command::new(crate::cli::support::PROGRAM);
+        command
+            .args(["solve", "punch.toml", "-q", "--plot", "p.pdf", "--size", "600x400"])
+            .current_dir(folder.path(""));
+        command.envs(variables.iter().copied()).output().unwrap()
+    };
+    let told = run(&[("PATH", ""), ("SHTAERMAN_CHROMIUM", "")]);
+    let said = String::from_utf8(told.stderr).unwrap();
+    // On a system that keeps browsers in places of its own there may be one all the same.
+    if told.status.code() != Some(0) {
+        assert_eq!(told.status.code(), Some(2), "{said}");
+        assert!(said.contains("printed by Chromium") && said.contains("--features pdf"), "{said}");
+    }
+    if run(&[]).status.code() == Some(0) {
+        let pdf = std::fs::read(folder.path("p.pdf")).unwrap();
+        assert!(pdf.starts_with(b"%PDF-"));
+        // 600 x 400 of 96 to the inch are 450 x 300 points.
+        let is_sized = pdf.windows(13).any(|part| part == b"[0 0 450 300]");
+        assert!(is_sized, "the size of the page");
+    } else {
+        eprintln!("no Chromium here: what it prints is not tested");
     }
 }
 
