@@ -133,9 +133,10 @@ function edges(picture) {
   return isWave(picture) ? [] : [...new Set(picture.pieces.flat())];
 }
 
-/** The points of a line that lie over an interval. */
+/** The points of a line that lie over an interval, or within rounding of its ends. */
 function over(points, [from, to]) {
-  return points.filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12);
+  const rounding = 1e-12 * Math.max(Math.abs(from), Math.abs(to));
+  return points.filter(([at]) => at >= from - rounding && at <= to + rounding);
 }
 
 /** Base, layer and body in a range: the body's surface lies below the layer of asperities, which has its free thickness beside the contact. */

@@ -19,11 +19,11 @@ const LEAST_SLOPE: f64 = 1e-14;
 const LEAST_VALUE: f64 = 4.0;
 
 impl Equation {
-    /// Refuses a right-hand side of the first kind under which the solution is infinite inside.
+    /// Refuses a right-hand side of the first kind under which the solution is infinite at one of its breakpoints.
     ///
     /// # Errors
     /// [`Error::InfiniteSolution`] with the place.
-    pub(super) fn require_finite_solution(&self) -> Result<(), Error> {
+    pub(super) fn require_finite_solution(&self, breaks: &[f64]) -> Result<(), Error> {
         let (rhs, range) = (self.right_hand_side(), self.range());
         let look = Look {
             rhs,
@@ -32,8 +32,8 @@ impl Equation {
             least_value: LEAST_VALUE * right_hand_side::rounding(rhs, range),
             strength: self.kernel().kernel().singularity().exponent(),
         };
-        let found = |at: f64| look.change(at).map(|what| Error::InfiniteSolution { at, what });
-        self.breakpoints().into_iter().find_map(found).map_or(Ok(()), Err)
+        let found = |&at: &f64| look.change(at).map(|what| Error::InfiniteSolution { at, what });
+        breaks.iter().find_map(found).map_or(Ok(()), Err)
     }
 }
 

@@ -105,12 +105,13 @@ impl Equation {
         if let Some(slope) = self.cone() {
             return Err(Error::Cone { slope });
         }
-        let is_finite = self.require_finite_solution();
+        let breaks = self.breakpoints();
+        let is_finite = self.require_finite_solution(&breaks);
         if self.solver().degree.is_none() {
             is_finite.clone()?;
         }
         // A narrow feature beside an end lies between breakpoints.
-        let mut cuts = self.breakpoints();
+        let mut cuts = breaks;
         cuts.extend(&self.parts().cuts);
         let mut solution =
             first_kind_in_parts(self.relation()?, self.function(), &cuts, self.terms())?;
