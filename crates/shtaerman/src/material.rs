@@ -10,6 +10,13 @@ pub use crate::influence::Influence;
 pub use crate::layering::{LayerBase, Layering};
 pub use crate::roughness::{Law, Roughness};
 
+/// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
+pub(crate) const SOFTEST: f64 = 1e6;
+/// No solid is stiffer than this (GPa): diamond has 1,100.
+pub(crate) const STIFFEST: f64 = 1500.0;
+/// No metal yields at more than this (MPa).
+pub(crate) const HARDEST: f64 = 5000.0;
+
 /// A linear elastic, isotropic material.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Elastic {

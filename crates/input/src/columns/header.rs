@@ -1,7 +1,9 @@
 //! The header of columns: their names, and the units beside them.
 
+use super::LONGEST_FIELD;
 use super::fields::Separator;
 use crate::quantity::{self, Dimension, spelled_out};
+use crate::shortened;
 
 /// What stands in brackets and is no unit, for sure.
 const REMARKS: [&str; 24] = [
@@ -219,7 +221,7 @@ fn in_brackets(field: &str) -> Option<(usize, HeaderUnit)> {
         let is_remark =
             is_remark(said) || (close != ']' && (said.contains(' ') || said.len() > LONGEST_UNIT));
         if !is_remark {
-            unknown = Some(HeaderUnit::Unknown { written: said.to_owned() });
+            unknown = Some(unknown_unit(said));
         }
         from = end + 1;
     }
@@ -230,8 +232,7 @@ fn in_brackets(field: &str) -> Option<(usize, HeaderUnit)> {
 fn behind_solidus(field: &str, expected: Option<Dimension>) -> Option<(usize, HeaderUnit)> {
     if let Some((name, said)) = field.split_once(" / ") {
         let said = said.trim();
-        let unknown =
-            || (!is_remark(said)).then(|| HeaderUnit::Unknown { written: said.to_owned() });
+        let unknown = || (!is_remark(said)).then(|| unknown_unit(said));
         return known(said).or_else(unknown).map(|unit| (name.len(), unit));
     }
     let (name, said) = field.split_once('/')?;
@@ -245,7 +246,7 @@ fn behind_word(field: &str, expected: Option<Dimension>) -> Option<(usize, Heade
         let said = said.trim();
         let unknown = || {
             let is_word = !said.contains(char::is_whitespace) && !name.trim().contains(' ');
-            (is_word && !is_remark(said)).then(|| HeaderUnit::Unknown { written: said.to_owned() })
+            (is_word && !is_remark(said)).then(|| unknown_unit(said))
         };
         return known(said)
             .and_then(|unit| of(unit, expected))
@@ -258,7 +259,7 @@ fn behind_word(field: &str, expected: Option<Dimension>) -> Option<(usize, Heade
     let end = at.unwrap_or(field.len());
     let is_behind_blank = at.is_some_and(|at| field[at..].starts_with([' ', ',']));
     if said == "in" && at.is_some() {
-        return Some((end, HeaderUnit::Unknown { written: said.to_owned() }));
+        return Some((end, unknown_unit(said)));
     }
     (is_behind_blank || !AMBIGUOUS.contains(&said)).then_some((end, unit))
 }
@@ -271,6 +272,11 @@ fn of(unit: HeaderUnit, expected: Option<Dimension>) -> Option<HeaderUnit> {
         None => [Dimension::LENGTH, Dimension::PRESSURE].contains(&dimension),
     };
     is_meant.then_some(unit)
+}
+
+/// What is no unit, as it is said.
+fn unknown_unit(said: &str) -> HeaderUnit {
+    HeaderUnit::Unknown { written: shortened(said, LONGEST_FIELD) }
 }
 
 fn is_remark(said: &str) -> bool {

@@ -13,8 +13,6 @@ use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base from so many steps down to so many up. At half or twice 1 of 5 answers are lost and time grows by 161 % (survey).
 const RATIO: f64 = 4.0;
 const REACH: i32 = 18;
-/// A step of `ln P` after which Newton's method has all digits, as they double. At a turning point the settlement goes with its square.
-const NARROW: f64 = 1e-9;
 
 impl Problem {
     /// Settlement and eccentricity of a base that may lift off, where both are prescribed and the force is off the middle: no problem of least energy.
@@ -163,7 +161,8 @@ impl Curve<'_> {
             if next.excess.abs() <= best.excess.abs() {
                 best = next;
             }
-            if change < NARROW {
+            // The next step has twice the digits.
+            if change < f64::EPSILON.sqrt() {
                 break;
             }
         }
@@ -185,7 +184,8 @@ impl Curve<'_> {
                 nearest = middle.excess;
             }
             *(if middle.falls() { &mut nearer } else { &mut beyond }) = middle.log;
-            if (nearer - beyond).abs() < NARROW.sqrt() {
+            // The settlement goes with the square of the distance from where it turns.
+            if (nearer - beyond).abs() < f64::EPSILON.sqrt() {
                 break;
             }
         }

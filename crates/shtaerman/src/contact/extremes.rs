@@ -7,8 +7,6 @@ use super::iteration::{crossing, top};
 const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero (survey).
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
-/// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
-pub(super) const RISE: f64 = 0.5;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,10 +50,10 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
     fn candidates(&self) -> Vec<usize> {
         let (values, last) = (&self.values, self.values.len().saturating_sub(1));
         let neighbours = |i: usize| [i.saturating_sub(1), (i + 1).min(last)].map(|j| values[j]);
-        // A parabola through three samples rises by an eighth of their second difference at most; others may rise by more.
+        // A parabola through three samples rises by an eighth of their second difference at most; others may rise by more: four times as much is looked at.
         let reached = |i: usize| {
             let [before, after] = neighbours(i);
-            values[i] + RISE * (2.0 * values[i] - before - after)
+            values[i] + 0.5 * (2.0 * values[i] - before - after)
         };
         let mut best = 0;
         for (i, value) in values.iter().enumerate() {

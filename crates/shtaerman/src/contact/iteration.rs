@@ -24,7 +24,7 @@ pub(super) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: 
     for step in 1..=STEPS {
         let secant = left + (right - left) * at_left / (at_left - at_right);
         let middle = 0.5 * (left + right);
-        let inside = secant > left && secant < right && step % 3 != 0;
+        let inside = secant > left && secant < right && !step.is_multiple_of(3);
         let place = if inside { secant } else { middle };
         let value = f(place);
         if value.abs() <= none || middle <= left || middle >= right || place == last {

@@ -1,11 +1,11 @@
 //! Kinks of the base on a smooth surface, under which the pressure is infinite.
 
 use super::intervals::SLIVER;
+use super::steps::{BESIDE, INSIDE};
 use crate::roughness::Law;
 use crate::{ContactKind, Problem};
 
-/// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes. Where there is as much more of it the slope has no bounds (survey).
-const BESIDE: [f64; 2] = [1e-8, 1e-12];
+/// Slopes beside a breakpoint are compared at two distances: the share of the jump at the farther that is there at the nearer. Where slopes only bend steeply it vanishes; where there is as much more of it the slope has no bounds (survey).
 const KEPT: f64 = 0.9;
 
 /// A jump of the slope of the base inside a zone of smooth contact.
@@ -81,7 +81,7 @@ pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
         let beyond_seam = problem.is_wave() && xi > 1.0;
         problem.profile().slope(if beyond_seam { xi - 2.0 } else { xi }, half_width)
     };
-    let [far, near] = BESIDE.map(|offset| Some(at(xi + offset)? - at(xi - offset)?));
+    let [far, near] = [BESIDE, INSIDE].map(|offset| Some(at(xi + offset)? - at(xi - offset)?));
     let (far, near) = (far?, near?);
     let is_cusp = near / far > 1.0 / KEPT;
     (near.is_finite() && near != 0.0 && near / far > KEPT).then_some(Jump { size: near, is_cusp })

@@ -24,9 +24,8 @@ pub(super) const ALLOWED: f64 = 2e-10;
 pub(super) const CORRECTIONS: usize = 16;
 /// Below this a violation may come from too few nodes; one that changes by less than this share of itself is the same again (survey).
 const DOUBTFUL: f64 = 1e-2;
-/// How zones that vanished are narrowed for the next attempt, and how far. At half or twice 3 of 12 answers change, within what they state (survey).
+/// How zones that vanished are narrowed for the next attempt. At half or twice 3 of 12 answers change, within what they state (survey).
 const NARROWER: f64 = 0.2;
-const NARROWEST: f64 = 1e-4;
 
 /// So many numbers of cells are tried (survey).
 const TOPOLOGIES: u32 = 3;
@@ -312,7 +311,6 @@ enum Next {
     Finer,
     /// Correct the zones, those that are added as wide as this share.
     Correct(f64),
-    GiveUp,
 }
 
 impl Progress {
@@ -336,7 +334,7 @@ impl Progress {
         self.width = if vanished { NARROWER * self.width } else { 1.0 };
         self.before = f64::INFINITY;
         self.corrected = [worst, left.penetration];
-        if self.width < NARROWEST { Next::GiveUp } else { Next::Correct(self.width) }
+        Next::Correct(self.width)
     }
 }
 

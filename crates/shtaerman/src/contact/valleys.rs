@@ -11,13 +11,13 @@ pub(super) const SAMPLES: usize = 512;
 /// Most samples: sixteen for each of more valleys than cells can show.
 pub(super) const MOST_SAMPLES: usize = 16384;
 /// Cells of a base with few valleys: with three times as many none of 46 answers changes, and 195 zones take a third more time (survey).
-const CELLS: usize = 1024;
+pub(super) const CELLS: usize = 1024;
 /// Most cells (survey).
 pub(super) const MOST_CELLS: usize = 3072;
 /// Places between samples where a profile is looked at (survey).
 const PROBES: usize = 64;
 /// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few (survey).
-const MISSED: f64 = 0.25;
+pub(super) const MISSED: f64 = 0.25;
 /// Fewest cells that show a valley, of a zone, and of a piece of the base to begin with; twice as many are wanted (survey).
 pub(super) const CELLS_A_ZONE: usize = 6;
 

@@ -9,6 +9,7 @@ use super::complementarity::Complementarity;
 use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::frame::Frame;
+use crate::material;
 use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering};
 
 /// Kind of a warning, stable across releases.
@@ -78,13 +79,6 @@ pub struct Warning {
 
 /// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved. At half or twice 4 of 10 answers change, within what they state (survey).
 const LAYER_DEGREES: f64 = 4.0;
-/// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
-const SOFTEST: f64 = 1e6;
-/// No solid is stiffer than this (GPa): diamond has 1,100; and no metal yields at more than this (MPa).
-const STIFFEST: f64 = 1500.0;
-const HARDEST: f64 = 5000.0;
-/// Longest unit that a message quotes.
-const LONGEST_UNIT: usize = 40;
 /// Most intervals a message names (survey).
 const MOST_PLACES: usize = 6;
 
@@ -264,27 +258,26 @@ impl Warning {
     /// A modulus that was written without a unit (Pa), by its key or option; none where a solid may have it.
     #[must_use]
     pub fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
-        let unit = if modulus < STIFFEST { "GPa" } else { "MPa" };
+        let unit = if modulus < material::STIFFEST { "GPa" } else { "MPa" };
         let message = format!(
             "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} {unit}\" meant?"
         );
-        (modulus < SOFTEST).then_some(Self { code: WarningCode::SoftModulus, message })
+        (modulus < material::SOFTEST).then_some(Self { code: WarningCode::SoftModulus, message })
     }
 
     /// A yield stress that was written without a unit (Pa), by its key or option; none where a metal may have it.
     #[must_use]
     pub fn low_yield_stress(key: &str, stress: f64) -> Option<Self> {
-        let unit = if stress < HARDEST { "MPa" } else { "kPa" };
+        let unit = if stress < material::HARDEST { "MPa" } else { "kPa" };
         let message = format!(
             "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} {unit}\" meant?"
         );
-        (stress < SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
+        (stress < material::SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
     }
 
     /// What stands in place of the unit of the positions or heights of a trace, read in metres, and the key or option that states one.
     #[must_use]
     pub fn unknown_unit(name: &str, written: &str, stated: &str) -> Self {
-        let written = shtaerman_input::shortened(written, LONGEST_UNIT);
         let message = format!(
             "the header has `{written}` for the unit of the {name}, which is none that is known, and they are read in metres: state it, by {stated}"
         );

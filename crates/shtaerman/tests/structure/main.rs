@@ -11,6 +11,7 @@
 
 mod circles;
 mod modules;
+mod numbers;
 mod surface;
 
 use std::collections::BTreeSet;
@@ -18,10 +19,14 @@ use std::path::{Path, PathBuf};
 
 use circles::{Graph, circles};
 use modules::{Imports, Modules};
+use numbers::Numbers;
 use surface::surface;
 
 /// The most files of one folder that may import one another in a circle.
 const MOST_FILES: usize = 3;
+/// The most lines of `contact/`, and the most numbers that have a name there.
+const MOST_LINES: usize = 17_000;
+const MOST_NUMBERS: usize = 150;
 
 /// How the line of a circle begins.
 const FOLDERS: &str = "folders: ";
@@ -44,27 +49,24 @@ fn imports_go_one_way() {
     );
 }
 
-/// Prints what a reader of `contact/` has before him: `cargo test -p shtaerman --test structure -- --nocapture`.
+/// What a reader of `contact/` has before him stays within what he can keep in mind: `cargo test -p shtaerman --test structure -- --nocapture` shows how much that is.
 #[test]
-fn sizes_are_told() {
+fn contact_stays_small() {
     let contact = repository().join("crates/shtaerman/src/contact");
-    let root = repository().join("crates/shtaerman/src/lib.rs");
-    let files = Modules::read(&root).files();
-    let texts = |inside: &Path| -> Vec<String> {
-        let files = files.iter().filter(|file| file.starts_with(inside));
-        files.map(|file| std::fs::read_to_string(file).unwrap()).collect()
-    };
-    let lines = |texts: &[String]| texts.iter().map(|text| text.lines().count()).sum::<usize>();
-    let of_contact = texts(&contact);
-    let constants = of_contact.iter().flat_map(|text| text.lines()).filter(|line| is_number(line));
-    println!(
-        "contact: {} files, {} lines, {} named constants; src: {} lines",
-        of_contact.len(),
-        lines(&of_contact),
-        constants.count(),
-        lines(&texts(&repository().join("crates/shtaerman/src")))
-    );
-    assert!(!of_contact.is_empty());
+    let (mut lines, mut named, mut bare) = (0, 0, Vec::new());
+    for file in &sources(&contact) {
+        let numbers = Numbers::read(file);
+        lines += std::fs::read_to_string(file).unwrap().lines().count();
+        if !is_of_tests(file) {
+            println!("{}: {}", short(file), numbers.named.join(" "));
+            named += numbers.named.len();
+            bare.extend(numbers.bare.iter().map(|number| format!("{}: {number}", short(file))));
+        }
+    }
+    println!("contact: {lines} lines, {named} named numbers");
+    assert!((1..=MOST_LINES).contains(&lines), "{lines} lines");
+    assert!((1..=MOST_NUMBERS).contains(&named), "{named} named numbers");
+    assert!(bare.is_empty(), "comparisons with a number that has no name:\n{}", bare.join("\n"));
 }
 
 /// What a user can name is a promise: a change of it is meant, and is seen in the listing. `shtaerman` shows modules of `shtaerman_input` as its own.
@@ -96,19 +98,20 @@ fn the_public_interface_is_the_one_listed() {
     }
 }
 
-/// Whether a line defines a named number.
-fn is_number(line: &str) -> bool {
-    let rest = line.trim_start();
-    let rest =
-        rest.strip_prefix("pub(super) ").or(rest.strip_prefix("pub(crate) ")).unwrap_or(rest);
-    let rest = rest.strip_prefix("pub ").unwrap_or(rest);
-    let kind = rest.strip_prefix("const ").and_then(|rest| rest.split_once(": "));
-    kind.is_some_and(|(name, kind)| {
-        !name.starts_with("fn ")
-            && ["f64", "usize", "i32", "u32", "u64", "i64"]
-                .iter()
-                .any(|number| kind.starts_with(number))
-    })
+/// All files of a folder and of those in it, by name.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut inside: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    inside.sort();
+    inside
+        .into_iter()
+        .flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] })
+        .collect()
+}
+
+/// Whether a file holds tests alone.
+fn is_of_tests(file: &Path) -> bool {
+    file.ends_with("tests.rs")
 }
 
 fn repository() -> &'static Path {

@@ -165,11 +165,6 @@ impl Modules {
         }
         vec![Found::Module(place)]
     }
-
-    /// All files.
-    pub(crate) fn files(&self) -> BTreeSet<PathBuf> {
-        self.by_path.values().map(|module| module.file.clone()).collect()
-    }
 }
 
 /// Collects what one module names, without what only tests see.

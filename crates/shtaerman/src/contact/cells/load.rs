@@ -8,9 +8,6 @@ use super::{Cell, Cells};
 use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// `theta0` of a layer too thin to matter: its share is rounding.
-const LAYER: f64 = 1.0 / STAGNANT;
-
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Loaded {
@@ -91,8 +88,10 @@ pub(in crate::contact) fn solve_thin(
 ) -> Result<Vec<f64>, Error> {
     let [level, slope] = resting(cells, load, &height);
     let above = |x: f64| height(x) - (level + slope * x);
-    let loaded = Loaded::new(cells, &roots, load, LAYER / theta, above);
-    Ok(loaded.solve(deadline, cells, matrix, LAYER)?.values)
+    // Of a layer too thin to matter: its share is rounding.
+    let thin = 1.0 / STAGNANT;
+    let loaded = Loaded::new(cells, &roots, load, thin / theta, above);
+    Ok(loaded.solve(deadline, cells, matrix, thin)?.values)
 }
 
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is

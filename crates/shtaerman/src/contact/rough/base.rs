@@ -14,7 +14,7 @@ use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
 use crate::contact::steps::{BESIDE, INSIDE, rise};
-use crate::contact::valleys::{self, MOST_CELLS, MOST_SAMPLES, SAMPLES};
+use crate::contact::valleys::{self, MISSED, MOST_CELLS, MOST_SAMPLES, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
@@ -56,7 +56,7 @@ fn samples(problem: &Problem, pieces: &[[f64; 2]]) -> Result<Vec<(f64, f64)>, Er
     let mut samples = Vec::with_capacity(count + pieces.len());
     for [left, right] in pieces {
         let mut steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
-        if wanted == 0 && steps >= SAMPLES / 4 {
+        if wanted == 0 && steps as f64 >= MISSED * SAMPLES as f64 {
             let height = |xi| problem.dimensionless_profile(xi);
             steps = valleys::steps(height, [*left, *right], steps, MOST_SAMPLES);
         }

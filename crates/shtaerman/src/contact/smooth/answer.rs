@@ -236,7 +236,7 @@ impl<P: Pressure> Solution for SmoothContact<P> {
 
     /// Places of the zones, closer to their ends, and the ends of the base, but for those where the pressure is infinite; of a base that repeats those of a zone may lie beyond `-1`.
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        let count = (SAMPLES / self.along.len().max(1)).clamp(8, PLACES);
+        let count = (SAMPLES / self.along.len().max(1)).min(PLACES);
         let along = self.along.iter().flat_map(|(ends, _, _)| points(*ends, count));
         let along = along.map(|xi| if xi < -1.0 { wrapped(xi) } else { xi });
         let mut places: Vec<f64> = along.chain([-1.0, 1.0]).filter(|xi| xi.abs() <= 1.0).collect();

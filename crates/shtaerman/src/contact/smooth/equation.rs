@@ -35,7 +35,7 @@ const MOST_WORK: f64 = 3e11;
 pub(in crate::contact) trait FirstKind {
     type Solved: Pressure;
     /// Most zones that are coupled: beyond, minutes go by.
-    const MOST_ZONES: usize;
+    const MOST_ZONES: usize = 120;
 
     /// The base, and what the search has cost so far.
     fn shared(&self) -> (&Arc<Base>, &Work);

@@ -165,9 +165,10 @@ pub(super) fn bend(
 ) -> [f64; 2] {
     let at_end = density(end);
     let at = |angle: f64| 2.0 * (density((end - angle).abs()) - at_end) / (angle * angle);
-    let (mut angle, mut values) = (16.0 * BESIDE, [f64::NAN; 3]);
+    let (farthest, mut values) = (16.0 * BESIDE, [f64::NAN; 3]);
+    let (mut angle, nearest) = (farthest, BESIDE.min(reach * BESIDE / farthest));
     let mut best = [f64::NAN, f64::INFINITY];
-    while angle >= BESIDE.min(reach / 16.0) {
+    while angle >= nearest {
         values = [values[1], values[2], at(angle)];
         let [four, two, one] = values;
         let (fine, coarse) = ((4.0 * one - two) / 3.0, (4.0 * two - four) / 3.0);

@@ -2,6 +2,7 @@
 //!
 //! Lengths are those for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::intervals::SLIVER;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::refinement::missed_of_power;
@@ -27,8 +28,6 @@ const FREE: f64 = 1e-6;
 const KINK: f64 = 1e-4;
 /// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential. At half or twice 2 of 16 answers change, within what they state (survey).
 const BENT: f64 = 1e-11;
-/// Shortest panels, over the distance from the middle of the base. Half and twice change none of 20 answers (survey).
-const SHORTEST: f64 = 1e-14;
 /// A place between a half and 1 is rounded by so much at most (rounding).
 const OF_A_PLACE: f64 = 0.25 * f64::EPSILON;
 /// Rounds that find the length of a panel at a corner: each leaves less than half of what was amiss (theory).
@@ -100,7 +99,7 @@ impl Anchor {
         // The pressure at a free end rises over the length of its zone. Farther away than the longest panels ask for none is longer for its distance, and what is missed there is no measure.
         let rise = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
         let reach = rise.min(fineness.longest / growth);
-        Self { at, is_left, shortest: least.max(SHORTEST), growth, reach, eased }
+        Self { at, is_left, shortest: least.max(ROUNDING), growth, reach, eased }
     }
 
     /// The longest panel between these places.
@@ -169,7 +168,7 @@ pub(super) fn panels(
         let mut left = zone.left();
         for right in joints[inside].iter().copied().chain([zone.right()]) {
             // Beside a joint by rounding there is no panel.
-            if right - left > SHORTEST || right == zone.right() {
+            if right - left > ROUNDING || right == zone.right() {
                 let bends = [(left, true), (right, false)].into_iter();
                 let bends = bends.filter(|(at, _)| !zone.ends.contains(at)).map(anchor);
                 let anchors: Vec<Anchor> = ends.into_iter().chain(bends).collect();

@@ -35,9 +35,8 @@ const LADDER: [Effort; 5] = [
     Effort::new(10, 2.0, STRAIGHT, [1e-11, 1e-9, 1e-6]),
     Effort::new(13, 1.0, STRAIGHT, [1e-14, 1e-12, 1e-7]),
 ];
-/// What is taken of it: small steps where a tolerance is given, of which the third may be enough.
+/// What is taken of it: all where a tolerance is given, of which the third may be enough, else these.
 const STEEP: [usize; 3] = [0, 3, 4];
-const GENTLE: [usize; 5] = [0, 1, 2, 3, 4];
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -108,9 +107,9 @@ impl<'b> ManyPanels<'b> {
             self.add_places(&coarse, &left);
             coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
-        let rungs: &[usize] = match self.base.problem().solver().tolerance {
-            Some(_) => &GENTLE,
-            None => &STEEP,
+        let rungs = match self.base.problem().solver().tolerance {
+            Some(_) => (0..LADDER.len()).collect(),
+            None => STEEP.to_vec(),
         };
         let next = |solved: &OnZones, level: usize| match rungs.get(level) {
             Some(rung) => self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some),

@@ -50,7 +50,6 @@ impl Graded {
 
 impl FirstKind for Graded {
     type Solved = Solved;
-    const MOST_ZONES: usize = 120;
 
     fn shared(&self) -> (&Arc<Base>, &Work) {
         (&self.base, &self.work)

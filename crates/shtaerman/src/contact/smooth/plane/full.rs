@@ -11,19 +11,17 @@ use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::between_breaks;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::extremes::RISE;
 use crate::contact::iteration::{crossing, top};
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::{Linearised, smooth_rates};
 use crate::contact::solution::Solution;
 use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
+use crate::contact::valleys::CELLS;
 use crate::{Load, Vertical};
 
 /// Panels of the moment where panels do not resolve the slope. At half or twice 3 of 5 answers change, within what they state (survey).
 pub(super) const PANELS: usize = 64;
-/// Places that show extremes.
-pub(super) const PLACES: usize = 1024;
 
 /// A place and the pressure there.
 type Point = (f64, f64);
@@ -87,7 +85,7 @@ impl FullWave {
 
     /// As an answer, with its extremes and its moment.
     pub(super) fn answer(mut self, breaks: &[f64]) -> Self {
-        let places = (0..=PLACES).map(|i| 2.0 * i as f64 / PLACES as f64 - 1.0);
+        let places = (0..=CELLS).map(|i| 2.0 * i as f64 / CELLS as f64 - 1.0);
         let pressures = places.map(|xi| self.at(xi)).filter(|p| p.is_finite());
         let (largest, most) = pressures
             .fold((f64::MIN_POSITIVE, 0.0f64), |(size, most), p| (size.max(p.abs()), most.max(-p)));
@@ -136,7 +134,7 @@ impl FullWave {
         let [first, second] = [places[0], places[1]];
         places.extend([(first.0 + 2.0, first.1), (second.0 + 2.0, second.1)]);
         let may_reach = |[before, here, after]: [f64; 3]| {
-            here <= before && here <= after && here < RISE * (before + after - 2.0 * here)
+            here <= before && here <= after && here < 0.5 * (before + after - 2.0 * here)
         };
         let valleys = places.windows(3).filter(|w| may_reach([w[0].1, w[1].1, w[2].1]));
         let bottoms = valleys.map(|w| {
@@ -246,7 +244,7 @@ impl Solution for FullWave {
     }
 
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        let places = (0..=PLACES).map(|i| 2.0 * i as f64 / PLACES as f64 - 1.0);
+        let places = (0..=CELLS).map(|i| 2.0 * i as f64 / CELLS as f64 - 1.0);
         let sampled = places.map(|xi| (xi, self.pressure(xi)));
         sampled.filter(|(_, pressure)| pressure.is_finite()).unzip()
     }

@@ -1,6 +1,6 @@
 //! The kernels of a half-plane under one punch, a pair, or a row.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// The kernel `ln 1/|d|`, or `ln 1/(2 sin(pi |d|/L))` of what repeats with a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +62,7 @@ impl Remainder {
     pub(super) fn at(self, distance: f64) -> f64 {
         let z = (distance / self.period).abs();
         let square = z * z;
-        if z < 0.85 {
+        if square < FRAC_1_SQRT_2 {
             return self.level + BENDS.iter().rev().fold(0.0, |sum, b| square * (b + sum));
         }
         // About its nearer zero.

@@ -74,7 +74,6 @@ impl Plane {
 
 impl FirstKind for Plane {
     type Solved = Solved;
-    const MOST_ZONES: usize = 120;
 
     fn shared(&self) -> (&Arc<Base>, &Work) {
         (&self.base, &self.work)

@@ -12,7 +12,7 @@ use super::super::equation::FINE;
 use super::super::pressure::place;
 use super::super::topology;
 use super::Plane;
-use super::full::{FullWave, PANELS, PLACES};
+use super::full::{FullWave, PANELS};
 use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
@@ -21,6 +21,7 @@ use crate::contact::iteration::STEPS;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
+use crate::contact::valleys::CELLS;
 use crate::error::require;
 use crate::{Error, Scaling, Vertical};
 
@@ -38,7 +39,7 @@ pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Err
         Vertical::Settlement(_) => 0.0,
     };
     let full = FullWave::new(base, force);
-    let along = full.along((4 * base.cells()).min(PLACES));
+    let along = full.along((4 * base.cells()).min(CELLS));
     let size = along.iter().fold(0.0f64, |most, (_, p)| most.max(p.abs()));
     let (bottom, least) = full.lowest(&along, &base.marks);
     // The seam is best left where it is as deep in the valley.
