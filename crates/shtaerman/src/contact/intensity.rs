@@ -6,7 +6,7 @@ use super::Contact;
 use super::companion::companion;
 use super::setting::Setting;
 use crate::roughness::Law;
-use crate::{Geometry, Roughness, Scaling};
+use crate::{Geometry, Problem, Roughness, Scaling};
 
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
@@ -55,15 +55,20 @@ impl Contact {
         if !is_plane || frame.law() != Law::Linear || frame.theta0() == 0.0 {
             return None;
         }
-        let companion = companion(problem, Roughness::Smooth)?;
-        // Within a time of its own.
-        let timed = companion.timed().unwrap_or(companion);
-        let smooth =
-            Setting::new(&timed).without_layer().ok().filter(|_| !timed.deadline().is_past())?;
-        timed.deadline().lift();
+        let intensities = self.corners_without_roughness(|| without_roughness(problem))?;
         // E* chi = 2 a/(pi theta0)
         let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();
-        let intensities = smooth.corner_intensity()?.into_iter();
-        Some(intensities.map(|ends| ends.map(|intensity| unit * intensity)).collect())
+        Some(intensities.iter().map(|ends| ends.map(|intensity| unit * intensity)).collect())
     }
+}
+
+/// The corner intensities of the smooth companion.
+fn without_roughness(problem: &Problem) -> Option<Vec<[f64; 2]>> {
+    let companion = companion(problem, Roughness::Smooth)?;
+    // Within a time of its own.
+    let timed = companion.timed().unwrap_or(companion);
+    let found = Setting::new(&timed).without_layer().ok();
+    let smooth = found.filter(|_| !timed.deadline().is_past())?;
+    timed.deadline().lift();
+    smooth.corner_intensity()
 }

@@ -1,6 +1,6 @@
 //! The solved contact.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::accuracy::{Accuracy, Sizes};
 use super::audit::Audit;
@@ -82,6 +82,8 @@ struct Record {
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
     audit: Option<Result<Audit, Unaudited>>,
+    /// The corner intensities of the smooth companion, once they are asked for.
+    without_roughness: OnceLock<Option<Vec<[f64; 2]>>>,
 }
 
 impl Contact {
@@ -136,6 +138,7 @@ impl Contact {
             tension: Vec::new(),
             warnings: Vec::new(),
             audit: None,
+            without_roughness: OnceLock::new(),
         };
         let mut contact = Self { record: Arc::new(record), units: Units::OfProblem };
         contact.require_finite()?;
@@ -328,6 +331,14 @@ impl Contact {
 
     fn found_audit(&self) -> Option<&Audit> {
         self.audited_by()?.as_ref().ok()
+    }
+
+    /// What `solve` finds of the smooth companion, which is solved once.
+    pub(super) fn corners_without_roughness(
+        &self,
+        solve: impl FnOnce() -> Option<Vec<[f64; 2]>>,
+    ) -> Option<&[[f64; 2]]> {
+        self.record.without_roughness.get_or_init(solve).as_deref()
     }
 
     /// Takes the errors of an audit in place of those that the method states.
