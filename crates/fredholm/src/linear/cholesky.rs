@@ -2,9 +2,9 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
-use faer::linalg::cholesky::llt::solve::{solve_in_place, solve_in_place_scratch};
-use faer::{Mat, MatMut, Par};
+use faer::{Mat, Par};
 
+use super::substitution::substitute;
 use crate::Error;
 
 /// `A = L L^T`, kept in the storage of `A`.
@@ -61,15 +61,7 @@ impl Cholesky {
 
     /// Overwrites `right` with `A^{-1} right`.
     pub(crate) fn solve(&self, right: &mut [f64]) {
-        let order = self.order();
-        let scratch = solve_in_place_scratch::<f64>(order, 1, Par::Seq);
-        let mut buffer = MemBuffer::new(scratch);
-        solve_in_place(
-            self.factor.as_ref(),
-            MatMut::from_column_major_slice_mut(right, order, 1),
-            Par::Seq,
-            MemStack::new(&mut buffer),
-        );
+        substitute(|j| &self.factor.col_as_slice(j)[j..], self.order(), right);
     }
 }
 

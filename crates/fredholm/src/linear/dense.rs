@@ -4,7 +4,7 @@ use super::vector::dot;
 use super::vectorised::vectorised;
 
 /// Columns taken at once.
-const COLUMNS: usize = 4;
+pub(super) const COLUMNS: usize = 4;
 
 /// `target -= sum_k factors[k] columns[k]` for four columns.
 #[inline(always)]

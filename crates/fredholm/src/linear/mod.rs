@@ -7,6 +7,7 @@ mod lowest;
 mod positive;
 mod skyline;
 mod small_cholesky;
+mod substitution;
 mod symmetric;
 mod tridiagonal;
 mod tridiagonal_spectrum;

@@ -1,7 +1,7 @@
 //! Cholesky factorisation where a library's overhead would exceed the work.
 
 use super::dense::{subtract_column, subtract_columns};
-use super::vector::dot;
+use super::substitution::substitute;
 use super::vectorised::vectorised;
 
 /// Overwrites the lower triangle of the matrix, column by column, with `L` of `A = L L^T`.
@@ -45,23 +45,5 @@ fn factor_columns(matrix: &mut [f64], order: usize) -> Result<(), usize> {
 
 /// Overwrites `right` with `A^{-1} right`.
 pub(crate) fn solve(factor: &[f64], order: usize, right: &mut [f64]) {
-    vectorised(
-        #[inline(always)]
-        || solve_columns(factor, order, right),
-    );
-}
-
-#[inline(always)]
-fn solve_columns(factor: &[f64], order: usize, right: &mut [f64]) {
-    for j in 0..order {
-        let column = &factor[j * order + j..(j + 1) * order];
-        let (head, tail) = right[j..order].split_at_mut(1);
-        head[0] /= column[0];
-        subtract_column(tail, &column[1..], head[0]);
-    }
-    for j in (0..order).rev() {
-        let column = &factor[j * order + j..(j + 1) * order];
-        let sum = dot(&column[1..], &right[j + 1..order]);
-        right[j] = (right[j] - sum) / column[0];
-    }
+    substitute(|j| &factor[j * order + j..(j + 1) * order], order, right);
 }

@@ -12,7 +12,7 @@ use crate::Error;
 
 /// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before (survey).
 const SMALL: f64 = 1e-8;
-const FALLING: f64 = 0.9;
+pub(super) const FALLING: f64 = 0.9;
 /// So often: ends beside a narrow gap depend on each other, and a single step may lead astray (survey).
 const STALLS: usize = 3;
 /// Share of a zone, or of a gap, that an end may cross in one step; a zone that is left whole keeps a fifth of its length (survey).
@@ -90,9 +90,7 @@ pub(super) fn settle<E: Equation>(
         {
             continue;
         }
-        if let Some(step) = &step {
-            step.sharpen(&zones, &mut ends);
-        }
+        let falls = step.as_ref().map(|step| step.sharpen(&zones, &mut ends)).unwrap_or_default();
         let released = release(&mut zones, &ends);
         let free = Free::new(&zones, &ends);
         if free.are_none && !released {
@@ -118,7 +116,7 @@ pub(super) fn settle<E: Equation>(
             return Ok(solved);
         }
         let from = std::mem::replace(&mut zones, next);
-        step = equation.ends_are_apart().then_some(Step { from, ends, lacking, cuts: 0 });
+        step = equation.ends_are_apart().then_some(Step { from, ends, falls, lacking, cuts: 0 });
         worst_before = is_small.then(|| best_before.map_or(free.worst, |w| w.min(free.worst)));
         if is_better {
             latest = Some(solved);
@@ -152,6 +150,8 @@ impl Strides {
 struct Step {
     from: Vec<Zone>,
     ends: Vec<[EndState; 2]>,
+    /// What the step before that left of each value.
+    falls: Vec<[f64; 2]>,
     /// What the ends lacked before it.
     lacking: f64,
     cuts: usize,
@@ -180,27 +180,32 @@ const NEAR: f64 = 1e-2;
 
 impl Step {
     /// Takes the secant over this step in the place of Newton's slope where the value changed its sign, or is small and the secant tells a shorter step: in thin layers slopes beside an end are
-    /// not those at it.
-    fn sharpen(&self, zones: &[Zone], ends: &mut [[EndState; 2]]) {
+    /// not those at it. A longer one is taken where two steps left the same share: ends that depend on each other then do so in one way. Gives the shares that are left.
+    fn sharpen(&self, zones: &[Zone], ends: &mut [[EndState; 2]]) -> Vec<[f64; 2]> {
+        let mut falls = vec![[f64::NAN; 2]; zones.len()];
         if self.from.len() != zones.len() {
-            return;
+            return falls;
         }
-        for ((zone, from), (ends, before)) in
-            zones.iter().zip(&self.from).zip(ends.iter_mut().zip(&self.ends))
-        {
+        for (j, (zone, from)) in zones.iter().zip(&self.from).enumerate() {
             for (side, at) in zone.free_ends().filter(|(side, _)| from.is_free(*side)) {
                 let sign = if side == 0 { -1.0 } else { 1.0 };
-                let (now, was) = (ends[side], before[side].value);
+                let (now, was) = (ends[j][side], self.ends[j][side].value);
                 let step = now.value * sign * (at - from.ends[side]) / (was - now.value);
                 let is_known = (was - now.value).abs() > now.none;
                 let is_crossed = (now.value > 0.0) != (was > 0.0);
-                // Ends that move together beside a narrow gap fall less than each by itself: their secants would be too long.
-                let is_near = now.value.abs() <= NEAR * now.scale && step.abs() <= now.step.abs();
+                let fall = now.value / was;
+                let before = self.falls.get(j).map_or(f64::NAN, |falls| falls[side]);
+                // Ends that move together beside a narrow gap fall less than each by itself: at first their secants would be too long.
+                let is_steady = (fall - before).abs() <= 0.5 * before.min(1.0 - fall);
+                let is_near = now.value.abs() <= NEAR * now.scale
+                    && (step.abs() <= now.step.abs() || is_steady);
                 if is_known && (is_crossed || is_near) && step * now.value > 0.0 {
-                    ends[side].step = step;
+                    ends[j][side].step = step;
                 }
+                falls[j][side] = fall;
             }
         }
+        falls
     }
 }
 
