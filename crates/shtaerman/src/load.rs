@@ -16,6 +16,16 @@ pub enum Vertical {
 }
 
 impl Vertical {
+    /// The force, where it is what is prescribed.
+    pub(crate) fn force(self) -> Option<f64> {
+        if let Self::Force(given) = self { Some(given) } else { None }
+    }
+
+    /// The settlement, where it is what is prescribed.
+    pub(crate) fn settlement(self) -> Option<f64> {
+        if let Self::Settlement(given) = self { Some(given) } else { None }
+    }
+
     /// The same kind of load, with what these make of a force and of a settlement.
     pub(crate) fn mapped(
         self,
@@ -39,6 +49,22 @@ pub enum Rotational {
     Eccentricity(f64),
     /// Tilt `alpha` (rad); zero keeps the punch level, (5.1).
     Tilt(f64),
+}
+
+impl Rotational {
+    /// The tilt, where it is what is prescribed.
+    pub(crate) fn tilt(self) -> Option<f64> {
+        if let Self::Tilt(given) = self { Some(given) } else { None }
+    }
+
+    /// Name and value.
+    pub(crate) fn named(self) -> (&'static str, f64) {
+        match self {
+            Self::Moment(value) => ("moment", value),
+            Self::Eccentricity(value) => ("eccentricity", value),
+            Self::Tilt(value) => ("tilt", value),
+        }
+    }
 }
 
 /// One of force and settlement, and one of moment, eccentricity and tilt.
@@ -124,12 +150,18 @@ impl Load {
             Vertical::Force(value) => finite("force", value)?,
             Vertical::Settlement(value) => finite("settlement", value)?,
         };
-        match rotational {
-            Rotational::Moment(value) => finite("moment", value)?,
-            Rotational::Eccentricity(value) => finite("eccentricity", value)?,
-            Rotational::Tilt(value) => finite("tilt", value)?,
-        };
+        let (field, value) = rotational.named();
+        finite(field, value)?;
         Ok(Self { vertical, rotational })
+    }
+
+    /// Where the force acts, if the load says so.
+    pub(crate) fn arm(&self) -> Option<f64> {
+        match (self.vertical, self.rotational) {
+            (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
+            (_, Rotational::Eccentricity(e)) => Some(e),
+            _ => None,
+        }
     }
 
     /// Refuses what no pressure on a base of this half-width can balance: a force that lifts the punch off, and one that tips it over.

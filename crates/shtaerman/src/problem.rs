@@ -10,9 +10,7 @@ use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
 use crate::profile::Resolution;
-use crate::{
-    ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
-};
+use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solver, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
@@ -279,13 +277,9 @@ impl Problem {
 
     /// Whether base and load are proved to be their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
-        let level = match self.load.rotational {
-            Rotational::Moment(value)
-            | Rotational::Eccentricity(value)
-            | Rotational::Tilt(value) => value == 0.0,
-        };
         // A circular base is a body of revolution, or refused.
-        level && (self.frame.is_circular() || self.reflection().is_even)
+        self.load.rotational.named().1 == 0.0
+            && (self.frame.is_circular() || self.reflection().is_even)
     }
 
     /// The relative error that is aimed at where no tolerance is given: `1e-12 max(1, theta0/10)`, of measured profiles `1e-10 max(1, theta0/100)`: rounding grows with `theta0`.
@@ -336,6 +330,13 @@ impl Problem {
         };
         let requirement = "large enough against modulus and width to be a number";
         require(scaled > 0.0, "force", force, requirement).map(|_| ())
+    }
+
+    /// Refuses a tilt and a moment of a base that fills its period.
+    pub(crate) fn require_no_turn(&self) -> Result<(), Error> {
+        let (field, value) = self.load.rotational.named();
+        let requirement = "zero where the base fills the period: a wave cannot tilt, and a moment does not repeat";
+        require(value == 0.0, field, value, requirement).map(|_| ())
     }
 
     fn check_profile(&self) -> Result<(), Error> {

@@ -117,9 +117,7 @@ fn parts(kinds: &Load, [first, second]: [f64; 2]) -> [Case; 3] {
 /// The two values of a load.
 fn values(load: &Load) -> [f64; 2] {
     let (Vertical::Force(first) | Vertical::Settlement(first)) = load.vertical();
-    let (Rotational::Moment(second) | Rotational::Eccentricity(second) | Rotational::Tilt(second)) =
-        load.rotational();
-    [first, second]
+    [first, load.rotational().named().1]
 }
 
 impl LoadSweep {

@@ -46,6 +46,19 @@ impl State {
     }
 }
 
+impl Rotational {
+    /// Tilt and moment under a force, of a disk with this `dM0/d(-alpha0)`.
+    pub(super) fn turned(self, force: f64, turning: f64) -> [f64; 2] {
+        match self {
+            // Of rings, which stand level, it is known in the answer only.
+            Self::Tilt(0.0) | Self::Moment(0.0) | Self::Eccentricity(0.0) => [0.0; 2],
+            Self::Tilt(tilt) => [tilt, -tilt * turning],
+            Self::Moment(moment) => [-moment / turning, moment],
+            Self::Eccentricity(e) => [-e * force / turning, e * force],
+        }
+    }
+}
+
 impl Balance {
     /// The state under a load.
     pub(super) fn state(&self, load: &Load) -> State {

@@ -79,10 +79,7 @@ impl Frame {
 
     /// The prescribed force, or none.
     pub(super) fn force(&self) -> Option<f64> {
-        match self.load.vertical {
-            Vertical::Force(force) => Some(force),
-            Vertical::Settlement(_) => None,
-        }
+        self.load.vertical.force()
     }
 
     /// Where moments are counted from, as `xi`.
@@ -101,15 +98,9 @@ impl Frame {
 
     /// `D` and `beta` as far as they are prescribed.
     pub(super) fn start(&self) -> [f64; 2] {
-        let settlement = match self.load.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => 0.0,
-        };
-        let tilt = match self.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
-        };
-        [settlement, self.hull.half * tilt]
+        let Load { vertical, rotational } = self.load;
+        let tilt = rotational.tilt().unwrap_or(0.0);
+        [vertical.settlement().unwrap_or(0.0), self.hull.half * tilt]
     }
 
     /// Settlement, tilt, force and moment of a direction.

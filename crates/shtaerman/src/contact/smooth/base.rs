@@ -209,12 +209,7 @@ impl Base {
             return Ok(self);
         }
         if problem.is_wave() {
-            let (Rotational::Tilt(given)
-            | Rotational::Moment(given)
-            | Rotational::Eccentricity(given)) = problem.load().rotational;
-            let requirement =
-                "zero for a base that repeats without gaps: neither a tilt nor a moment repeats";
-            require(given == 0.0, "tilt", given, requirement)?;
+            problem.require_no_turn()?;
             // That no moment is asked for means that none is applied.
             self.load.rotational = level;
         }

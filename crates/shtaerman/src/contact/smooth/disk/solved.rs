@@ -20,7 +20,6 @@ use super::core::Core;
 use super::coupling::{RingNodes, counts, coupled, narrowest};
 use super::ring::Ring;
 use super::ring_part::{OnRing, RingPart};
-use super::tilt::tilt_and_moment;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::balance::State;
 use crate::contact::edges::EndState;
@@ -114,7 +113,7 @@ impl Solved {
                 RingPart::new(nodes, slope, &modes, heights)
             })
             .collect();
-        let [tilt, moment] = tilt_and_moment(disk.rotational, force, moment_tilt);
+        let [tilt, moment] = disk.rotational.turned(force, moment_tilt);
         let core = core.zip(inner).map(|((transform, axis), zone)| {
             let level = depth - axis;
             let slope = transform.end_slope();
@@ -165,7 +164,7 @@ impl Solved {
                 (core.corner, core.is_free) = (core.corner + deeper, false);
             }
         }
-        let turned = tilt_and_moment(disk.rotational, state.force, self.stiffness.moment_tilt);
+        let turned = disk.rotational.turned(state.force, self.stiffness.moment_tilt);
         [state.tilt, state.moment] = turned;
         other
     }
