@@ -164,6 +164,16 @@ impl Load {
         }
     }
 
+    /// The load under which a profile less the line `height + slope xi` is met as the whole one is under this.
+    pub(crate) fn lowered(self, height: f64, slope: f64) -> Self {
+        let vertical = self.vertical.mapped(|force| force, |settlement| settlement - height);
+        let rotational = match self.rotational {
+            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + slope),
+            other => other,
+        };
+        Self { vertical, rotational }
+    }
+
     /// Refuses what no pressure on a base of this half-width can balance: a force that lifts the punch off, and one that tips it over.
     pub(crate) fn check_balance(&self, half_width: f64) -> Result<(), Error> {
         if let Vertical::Force(force) = self.vertical {

@@ -189,15 +189,12 @@ impl Problem {
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
         let (profile, level) = self.profile().lowered(self.frame.half_width())?;
-        let (vertical, profile) = match self.load.vertical {
-            Vertical::Force(force) => (Vertical::Force(force), profile),
+        let load = self.load.lowered(level, 0.0);
+        let profile = match self.load.vertical.settlement() {
             // What rounding takes from the settlement is left to the heights.
-            Vertical::Settlement(settlement) => (
-                Vertical::Settlement(settlement - level),
-                profile.raised(-remainder_of_sum(settlement, -level)),
-            ),
+            Some(settlement) => profile.raised(-remainder_of_sum(settlement, -level)),
+            None => profile,
         };
-        let load = Load { vertical, ..self.load };
         let punch = self.punch.clone().with_profile(profile);
         Some((Self { punch, load, ..self.clone() }, level))
     }

@@ -7,7 +7,7 @@ use crate::contact::accuracy::{Accuracy, ROUNDING};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
 use crate::contact::setting::Setting;
-use crate::{Load, Problem, Rotational, Scaling, Vertical};
+use crate::{Load, Problem, Scaling};
 
 /// A tangent of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,17 +29,7 @@ impl Tangent {
 
     /// The load of the problem with the profile `r`.
     pub(super) fn load(&self, load: Load) -> Load {
-        let vertical = match load.vertical {
-            Vertical::Settlement(settlement) => {
-                Vertical::Settlement(settlement - self.height + self.slope * self.at)
-            }
-            force @ Vertical::Force(_) => force,
-        };
-        let rotational = match load.rotational {
-            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + self.slope),
-            other => other,
-        };
-        Load { vertical, rotational }
+        load.lowered(self.height, self.slope).lowered(-self.slope * self.at, 0.0)
     }
 
     /// The state of the problem itself; what the load prescribes comes back as given.
