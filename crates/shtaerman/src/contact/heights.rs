@@ -1,5 +1,7 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
+use std::ops::Add;
+
 use super::accuracy::{Accuracy, OF_A_VALUE, Sizes};
 use super::iteration::GOLDEN;
 use super::setting::Setting;
@@ -176,16 +178,13 @@ impl Setting {
         };
         // Of a disturbance of the heights on its way to the tilt, in half-widths of the contact: at half or twice stated errors grow up to 1.8 times (survey).
         let turn = 2.0 * rounding / half.max(f64::MIN_POSITIVE);
-        // What is prescribed or zero by symmetry stays exact.
-        let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
-        let accuracy = Accuracy {
-            kind: known.kind,
-            pressure,
-            settlement: unless_exact(known.settlement, rounding + middle * turn + lowered.abs()),
-            tilt: unless_exact(known.tilt, turn + tilted.abs()),
-            force: unless_exact(known.force, force + (coupling * tilted).abs()),
-            moment: unless_exact(known.moment, (middle + half) * force),
-        };
+        let own = [
+            rounding + middle * turn + lowered.abs(),
+            turn + tilted.abs(),
+            force + (coupling * tilted).abs(),
+            (middle + half) * force,
+        ];
+        let accuracy = Accuracy { pressure, ..known.open(own, |_, own| own) };
         let sizes = solution.state().sizes(solution.size());
         // A settlement may be next to nothing where heights above and below cancel.
         let sizes = Sizes { displacement: sizes.displacement.max(height), ..sizes };
@@ -221,9 +220,7 @@ impl OfHeights {
 impl Accuracy {
     /// With the rounding of a level that is added to the settlement.
     pub(crate) fn with_level(self, level: f64) -> Self {
-        let known = self.settlement;
-        let settlement = if known == 0.0 { 0.0 } else { known + OF_A_VALUE * level.abs() };
-        Self { settlement, ..self }
+        self.open([OF_A_VALUE * level.abs(), 0.0, 0.0, 0.0], f64::add)
     }
 }
 

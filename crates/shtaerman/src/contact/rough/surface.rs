@@ -3,6 +3,8 @@
 //! Small zones far from the middle of the base have heights from the tangent there, which keeps their digits. With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`,
 //! the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
 
+use std::ops::Add;
+
 use crate::contact::accuracy::{Accuracy, ROUNDING};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
@@ -41,12 +43,8 @@ impl Tangent {
     /// Errors with the rounding of what is added.
     pub(super) fn accuracy(&self, accuracy: Accuracy) -> Accuracy {
         let size = self.height.abs().max(self.slope.abs());
-        let raised = |error: f64| if error == 0.0 { 0.0 } else { error + ROUNDING * size };
-        Accuracy {
-            settlement: raised(accuracy.settlement),
-            tilt: raised(accuracy.tilt),
-            ..accuracy
-        }
+        let rounding = ROUNDING * size;
+        accuracy.open([rounding, rounding, 0.0, 0.0], f64::add)
     }
 }
 

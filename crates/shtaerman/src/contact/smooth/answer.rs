@@ -6,7 +6,7 @@ use super::base::{Base, SAMPLES, wrapped};
 use super::check::{check, points};
 use super::equation::{FINE, FirstKind};
 use super::pressure::{Pressure, place};
-use super::stated::{estimate, open};
+use super::stated::estimate;
 use crate::contact::accuracy::{Accuracy, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
@@ -68,7 +68,7 @@ impl<P: Pressure> SmoothContact<P> {
         let (tension, penetration) = (left.tension, left.penetration);
         Ok(Self {
             along: along(&base, &solved.zones()),
-            accuracy: open(&load, accuracy),
+            accuracy: accuracy.under(&load),
             complementarity: Complementarity { tension, penetration },
             largest: left.largest,
             base,
