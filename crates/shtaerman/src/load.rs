@@ -155,6 +155,17 @@ impl Load {
         Ok(Self { vertical, rotational })
     }
 
+    /// Force and moment; 0 where another quantity is prescribed.
+    pub(crate) fn forces(&self) -> [f64; 2] {
+        let moment = if let Rotational::Moment(moment) = self.rotational { moment } else { 0.0 };
+        [self.vertical.force().unwrap_or(0.0), moment]
+    }
+
+    /// Settlement and tilt; 0 where another quantity is prescribed.
+    pub(crate) fn displacements(&self) -> [f64; 2] {
+        [self.vertical.settlement().unwrap_or(0.0), self.rotational.tilt().unwrap_or(0.0)]
+    }
+
     /// Where the force acts, if the load says so.
     pub(crate) fn arm(&self) -> Option<f64> {
         match (self.vertical, self.rotational) {

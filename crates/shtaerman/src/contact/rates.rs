@@ -43,8 +43,7 @@ pub(super) fn smooth_rates(
     [force, pressure]: [f64; 2],
     [vertical, rotational]: [Rates; 2],
 ) -> [Rates; 3] {
-    let forced = load.vertical.force().unwrap_or(0.0);
-    let turned = if let Rotational::Moment(moment) = load.rotational { moment } else { 0.0 };
+    let [forced, turned] = load.forces();
     let own = [0.0, force, 0.0, pressure, 0.0];
     let body = std::array::from_fn(|k| forced * vertical[k] + turned * rotational[k] - own[k]);
     [body, vertical, rotational]

@@ -15,7 +15,7 @@
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
 use crate::contact::{Linearised, Rates};
 use crate::frame::Frame;
-use crate::{Contact, Law, Layering, Rotational, Roughness, Scaling, Vertical};
+use crate::{Contact, Law, Layering, Roughness, Scaling, Vertical};
 
 /// Force, pressure and width among the quantities followed.
 const FORCE: usize = 1;
@@ -126,7 +126,7 @@ impl<'c> Units<'c> {
         body: Estimated,
         exponent: f64,
     ) -> Estimated {
-        let [vertical, rotational] = self.forces();
+        let [vertical, rotational] = self.contact.problem().dimensionless_load().forces();
         let of = |rates: &[Rates; 3]| vertical * rates[1][k] + rotational * rates[2][k];
         let sizes = found.errors.map(|rates| rates.map(f64::abs));
         let unit = self.quantities[k];
@@ -147,7 +147,8 @@ impl<'c> Units<'c> {
             unit * (vertical * rates[1][k] + rotational * rates[2][k])
         };
         let sizes = found.errors.map(|rates| rates.map(f64::abs));
-        let (forces, displacements) = (self.forces(), self.displacements());
+        let load = self.contact.problem().dimensionless_load();
+        let (forces, displacements) = (load.forces(), load.displacements());
         let weight = match k {
             FORCE | PRESSURE => 1.0,
             WIDTH => 0.0,
@@ -159,34 +160,6 @@ impl<'c> Units<'c> {
             / exponent
             + sum(displacements.map(f64::abs), &sizes);
         [rate - by_displacements, error]
-    }
-
-    /// The prescribed settlement and tilt without dimensions; 0 for what else is prescribed.
-    fn displacements(&self) -> [f64; 2] {
-        let load = self.contact.problem().dimensionless_load();
-        let vertical = match load.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => 0.0,
-        };
-        let rotational = match load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
-        };
-        [vertical, rotational]
-    }
-
-    /// The prescribed force and moment without dimensions; 0 for what else is prescribed.
-    fn forces(&self) -> [f64; 2] {
-        let load = self.contact.problem().dimensionless_load();
-        let vertical = match load.vertical {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => 0.0,
-        };
-        let rotational = match load.rotational {
-            Rotational::Moment(moment) => moment,
-            Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
-        };
-        [vertical, rotational]
     }
 
     fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {

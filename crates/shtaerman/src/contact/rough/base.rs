@@ -207,7 +207,7 @@ impl Base {
 
     /// The prescribed tilt, or none.
     pub(super) fn tilt(&self) -> f64 {
-        self.load.rotational.tilt().unwrap_or(0.0)
+        self.load.displacements()[1]
     }
 
     /// Number of cells that show every valley of the profile.

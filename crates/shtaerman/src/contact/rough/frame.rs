@@ -98,9 +98,8 @@ impl Frame {
 
     /// `D` and `beta` as far as they are prescribed.
     pub(super) fn start(&self) -> [f64; 2] {
-        let Load { vertical, rotational } = self.load;
-        let tilt = rotational.tilt().unwrap_or(0.0);
-        [vertical.settlement().unwrap_or(0.0), self.hull.half * tilt]
+        let [settlement, tilt] = self.load.displacements();
+        [settlement, self.hull.half * tilt]
     }
 
     /// Settlement, tilt, force and moment of a direction.

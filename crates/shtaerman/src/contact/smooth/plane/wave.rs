@@ -33,7 +33,7 @@ pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Err
     let requirement = "the same at both ends of a period: a smooth surface bears no step";
     let unit = base.setting.problem().frame().scaling().map_or(1.0, Scaling::displacement);
     require(step <= SEAM * base.range(), "profile", unit * base.height(1.0), requirement)?;
-    let force = base.load.vertical.force().unwrap_or(0.0);
+    let [force, _] = base.load.forces();
     let full = FullWave::new(base, force);
     let along = full.along((4 * base.cells()).min(PLACES));
     let size = along.iter().fold(0.0f64, |most, (_, p)| most.max(p.abs()));
