@@ -194,6 +194,11 @@ impl Frame {
         }
     }
 
+    /// A scale of a physical problem; 1 of a dimensionless one.
+    pub(crate) fn unit(&self, of: impl Fn(&Scaling) -> f64) -> f64 {
+        self.scaling().map_or(1.0, of)
+    }
+
     /// The geometry, lengths in the units of the problem.
     #[must_use]
     pub(crate) fn geometry(&self) -> Geometry {
@@ -268,7 +273,7 @@ impl Frame {
     /// Half-width in the units of the problem: metres, or 1.
     #[must_use]
     pub(crate) fn half_width(&self) -> f64 {
-        self.scaling().map_or(1.0, Scaling::half_width)
+        self.unit(Scaling::half_width)
     }
 
     /// Name of the coordinate in the units of the problem: `x` or `xi`.

@@ -202,18 +202,15 @@ impl Problem {
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
-        let half_width = self.frame.half_width();
-        let height = self.profile().height(xi, half_width);
-        self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
+        let height = self.profile().height(xi, self.frame.half_width());
+        height / self.frame.unit(Scaling::displacement)
     }
 
     /// The same at many places, which must be finite.
     pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
         let mut heights = self.profile().heights(places, self.frame.half_width());
-        if let Some(scaling) = self.frame.scaling() {
-            let displacement = scaling.displacement();
-            heights.iter_mut().for_each(|height| *height /= displacement);
-        }
+        let displacement = self.frame.unit(Scaling::displacement);
+        heights.iter_mut().for_each(|height| *height /= displacement);
         match heights.iter().position(|height| !height.is_finite()) {
             Some(place) => self.checked(places[place], heights[place]).map(|_| heights),
             None => Ok(heights),
@@ -223,13 +220,13 @@ impl Problem {
     /// `df0/dxi`.
     pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
         let slope = self.profile().slope(xi, self.frame.half_width())?;
-        Some(self.frame.scaling().map_or(slope, |scaling| slope / scaling.displacement()))
+        Some(slope / self.frame.unit(Scaling::displacement))
     }
 
     /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
         let rise = self.profile().rise(c, xi - c, self.frame.half_width());
-        self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
+        rise / self.frame.unit(Scaling::displacement)
     }
 
     /// Encloses `f0(xi)` on an interval, as [`Profile::enclose`] does.

@@ -9,7 +9,7 @@ use crate::{Elastic, Problem, Roughness, Scaling, Solver};
 fn elastic(problem: &Problem) -> f64 {
     let frame = problem.frame();
     let unit = |scaling: &Scaling| scaling.displacement() / scaling.pressure();
-    frame.theta0() * frame.scaling().map_or(1.0, unit)
+    frame.theta0() * frame.unit(unit)
 }
 
 /// The same problem with another roughness (m/Pa); of a dimensionless one with `E = 1`, `chi = 1`.

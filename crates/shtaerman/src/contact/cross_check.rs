@@ -71,7 +71,7 @@ impl Problem {
     /// [`Error::NoReference`] with the reason.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
         let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
-        let displacement = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        let displacement = self.frame().unit(Scaling::displacement);
         let height = |xi: f64| problem.dimensionless_profile(xi);
         let layering =
             self.frame().layering().map(|on| on.clone().scaled(self.frame().half_width()));

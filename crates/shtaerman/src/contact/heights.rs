@@ -44,7 +44,7 @@ impl Setting {
                 }
             }
         }
-        let scale = self.problem().frame().scaling().map_or(1.0, Scaling::displacement);
+        let scale = self.problem().frame().unit(Scaling::displacement);
         [rounding / scale, largest / scale]
     }
 
@@ -73,7 +73,7 @@ impl Setting {
                 }
             }
         }
-        most / self.problem().frame().scaling().map_or(1.0, Scaling::displacement)
+        most / self.problem().frame().unit(Scaling::displacement)
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
@@ -167,7 +167,7 @@ impl Setting {
                 (FLAT * mean, moved)
             }
             Law::Linear | Law::Power(_) => {
-                let kappa = if let Law::Power(exponent) = law { exponent } else { 1.0 };
+                let kappa = law.exponent().unwrap_or(1.0);
                 let steepness = solution.size().max(f64::MIN_POSITIVE).powf(1.0 - kappa) / kappa;
                 let at_ends = self.rounding_at_ends(&zones);
                 // A single place is disturbed by itself, which is half of what disturbances grow to.

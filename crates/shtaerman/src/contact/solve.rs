@@ -75,7 +75,7 @@ impl Problem {
     /// The solution with heights counted from the level of the base, and put back there.
     fn solve_at_level(&self) -> Result<Contact, Error> {
         let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
-        let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
+        let level0 = level / self.frame().unit(Scaling::displacement);
         match lowered.solve_as_given() {
             Ok(contact) => Ok(contact.with_level(self, level0)),
             Err(error) => Err(error.with_level(level, level0)),
@@ -105,7 +105,7 @@ impl Problem {
         let of_heights = setting.of_heights(found.solution.as_ref());
         let contact = Contact::new(setting, found, of_heights)?;
         let [displacement, pressure] = [Scaling::displacement, Scaling::pressure]
-            .map(|unit: fn(&Scaling) -> f64| self.frame().scaling().map_or(1.0, unit));
+            .map(|unit: fn(&Scaling) -> f64| self.frame().unit(unit));
         Ok((contact.with_level(self, level / displacement), edge * pressure))
     }
 }

@@ -81,7 +81,7 @@ impl Surface {
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));
         let slope = problem.profile().slope(xi, problem.frame().half_width());
-        let scale = problem.frame().scaling().map_or(1.0, Scaling::displacement);
+        let scale = problem.frame().unit(Scaling::displacement);
         slope.unwrap_or(f64::NAN) / scale - self.tangent.map_or(0.0, |tangent| tangent.slope)
     }
 
