@@ -17,6 +17,7 @@ use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
 use crate::contact::extremes::NEGLIGIBLE;
+use crate::contact::intervals::longest_gap;
 use crate::contact::iteration::STEPS;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
@@ -126,11 +127,9 @@ impl Partial {
         let base = self.turned.under(force);
         let intervals = topology::find(&base, base.cells()).ok()?;
         let ([first, ..], [.., last]) = (&intervals[..], &intervals[..]) else { return None };
-        let gaps = intervals.windows(2).map(|pair| [pair[0][1], pair[1][0]]);
-        let longest = gaps.max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])));
         let touches = first[0] <= -1.0 && last[1] >= 1.0;
-        let [left, right] = longest.filter(|_| touches)?;
-        Some(wrapped(0.5 * (left + right) + base.shift))
+        let middle = longest_gap(&intervals).filter(|_| touches)?;
+        Some(wrapped(middle + base.shift))
     }
 }
 
