@@ -2,6 +2,7 @@
 
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
+use crate::contact::iteration::GOLDEN;
 use crate::error::positive;
 use crate::{Contact, Error, Problem, Profile, Scaling, Vertical};
 
@@ -13,7 +14,6 @@ const SHARPEST: f64 = 24.0;
 const BETTER: f64 = 1e-10;
 /// Steps of the golden section: the last is far below what shows in the pressure.
 const GOLDEN_STEPS: usize = 64;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a peak pressure.
 const ROUNDING: f64 = 1e-13;
 
