@@ -6,7 +6,7 @@ use super::Contact;
 use super::companion::companion;
 use super::setting::Setting;
 use crate::roughness::Law;
-use crate::{Geometry, Roughness, Scaling};
+use crate::{Geometry, Scaling};
 
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
@@ -55,7 +55,7 @@ impl Contact {
         if !is_plane || frame.law() != Law::Linear || frame.theta0() == 0.0 {
             return None;
         }
-        let companion = companion(problem, Roughness::Smooth)?;
+        let companion = companion(problem)?;
         // Within a time of its own.
         let timed = companion.timed().unwrap_or(companion);
         let smooth =
