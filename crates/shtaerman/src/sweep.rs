@@ -349,10 +349,7 @@ impl Theta0Sweep {
         };
         let cross = |i: usize, j: usize| vertical[i] * rotational[j] - vertical[j] * rotational[i];
         let (settlement, tilt) = (cross(2, 1) / cross(0, 1), cross(0, 2) / cross(0, 1));
-        let force = match load.vertical() {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => a * settlement - b * tilt - p,
-        };
+        let force = load.vertical.force().unwrap_or(a * settlement - b * tilt - p);
         let moment = match load.rotational() {
             Rotational::Moment(moment) => moment,
             Rotational::Eccentricity(e) => e * force,
@@ -365,14 +362,8 @@ impl Theta0Sweep {
         });
         Swept {
             // What is prescribed is told as it was given.
-            settlement: match load.vertical() {
-                Vertical::Force(_) => settlement + level,
-                Vertical::Settlement(settlement) => settlement,
-            },
-            tilt: match load.rotational() {
-                Rotational::Moment(_) | Rotational::Eccentricity(_) => tilt,
-                Rotational::Tilt(tilt) => tilt,
-            },
+            settlement: load.vertical.settlement().unwrap_or(settlement + level),
+            tilt: load.rotational.tilt().unwrap_or(tilt),
             force,
             moment,
             pressure_left: left,

@@ -23,7 +23,7 @@ use super::ring_part::{OnRing, RingPart};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::balance::State;
 use crate::contact::edges::EndState;
-use crate::contact::stiffness::Stiffness;
+use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
@@ -96,12 +96,7 @@ impl Solved {
                 (depth, settlement, rate * depth + free)
             }
         };
-        if !(depth.is_finite() && force.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular {
-                parameter: theta0,
-                smallest: 0.0,
-            }));
-        }
+        require_solved([depth, force], theta0)?;
         let turning = is_fine.then(OnceLock::new);
         let moment_tilt = Core::turning(&disk.powers, disk.modulus, c);
         let stiffness = Stiffness { force_settlement: rate, coupling: 0.0, moment_tilt };
@@ -131,13 +126,7 @@ impl Solved {
                 tilt,
             }
         });
-        // Adding zero turns a negative zero into a plain one.
-        let state = State {
-            settlement: settlement + 0.0,
-            tilt: tilt + 0.0,
-            force: force + 0.0,
-            moment: moment + 0.0,
-        };
+        let state = State { settlement, tilt, force, moment }.plain();
         Ok(Self { zones: zones.to_vec(), core, parts, theta0, state, stiffness, turning })
     }
 

@@ -15,7 +15,7 @@ use super::part::Part;
 use crate::Error;
 use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
-use crate::contact::stiffness::Stiffness;
+use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
 
 /// Below so many roundings of the scale, and one for each that a rounding of the displacement counts, a density is none where slopes are known: at an end it is no better known.
@@ -65,12 +65,7 @@ impl Solved {
         let start = reference - lean * zones[0].middle();
         let [depth, tilt] = balance.depth_and_tilt(&base.load.lowered(start, lean));
         let state = balance.state_of(&base.load, [depth, tilt], [start + lean * middle, lean]);
-        if !(depth.is_finite() && tilt.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular {
-                parameter: theta0,
-                smallest: 0.0,
-            }));
-        }
+        require_solved([depth, tilt], theta0)?;
         let parts = (resolved.into_iter().enumerate())
             .map(|(j, (slope, lean))| {
                 let own = |k: usize| -(k as f64) * heights[j][k] / PI;
