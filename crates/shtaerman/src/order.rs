@@ -9,6 +9,14 @@ pub(crate) fn sort_by_number<T: Copy>(items: &mut [T], number: impl Fn(&T) -> f6
     items.copy_from_slice(&sorted);
 }
 
+/// The same numbers in their order, each once.
+pub(crate) fn ascending(numbers: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut numbers: Vec<f64> = numbers.into_iter().collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    numbers
+}
+
 /// Indices of numbers, the smallest first.
 fn order(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();

@@ -121,10 +121,8 @@ impl Contact {
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
         let zones = bare.zones();
         let zones = if problem.is_wave() { within_period(&zones) } else { zones };
-        let mut cuts = problem.profile().joints(frame.half_width());
-        cuts.extend(problem.resolution(DEGREE, RESOLVED).joints);
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = problem.profile().joints(frame.half_width()).into_iter();
+        let cuts = crate::order::ascending(cuts.chain(problem.resolution(DEGREE, RESOLVED).joints));
         let pressure = |xi: f64| self.pressure_at(xi);
         let answer = Answer {
             zones: &zones,

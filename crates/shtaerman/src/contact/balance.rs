@@ -54,7 +54,7 @@ impl Rotational {
     pub(super) fn turned(self, force: f64, turning: f64) -> [f64; 2] {
         match self {
             // Of rings, which stand level, it is known in the answer only.
-            Self::Tilt(0.0) | Self::Moment(0.0) | Self::Eccentricity(0.0) => [0.0; 2],
+            _ if self.named().1 == 0.0 => [0.0; 2],
             Self::Tilt(tilt) => [tilt, -tilt * turning],
             Self::Moment(moment) => [-moment / turning, moment],
             Self::Eccentricity(e) => [-e * force / turning, e * force],

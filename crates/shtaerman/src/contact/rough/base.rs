@@ -142,9 +142,7 @@ impl Base {
         let inside = |at: &f64| *at > window[0] && *at < window[1];
         // Where the period is joined the profile may bend.
         let breaks = self.breaks.iter().flat_map(|at| images(*at)).chain([-1.0, 1.0]);
-        let mut breaks: Vec<f64> = breaks.filter(inside).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
+        let breaks = crate::order::ascending(breaks.filter(inside));
         let samples =
             self.samples.iter().flat_map(|&(at, height)| images(at).map(move |at| (at, height)));
         let mut samples: Vec<(f64, f64)> = samples.filter(|(at, _)| inside(at)).collect();

@@ -48,7 +48,5 @@ fn points(base: &Base, left: f64, right: f64) -> Vec<f64> {
             [pair[0], pair[1]].map(|end| base.samples.partition_point(|(at, _)| *at <= end));
         points.extend(base.samples[from..to].iter().map(|(at, _)| *at).filter(|at| *at < pair[1]));
     }
-    points.sort_by(f64::total_cmp);
-    points.dedup();
-    points
+    crate::order::ascending(points)
 }

@@ -92,9 +92,8 @@ impl Base {
         };
         joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > INSIDE));
         for places in [&mut breaks, &mut joints] {
-            places.retain(|at| !is_disk || (0.0 < *at && *at < 1.0));
-            places.sort_by(f64::total_cmp);
-            places.dedup();
+            let inside = |at: &f64| !is_disk || (0.0 < *at && *at < 1.0);
+            *places = crate::order::ascending(places.drain(..).filter(inside));
         }
         if is_disk && breaks.len() > MOST_CUTS {
             breaks.clear();
