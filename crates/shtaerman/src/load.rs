@@ -57,6 +57,14 @@ impl Rotational {
         if let Self::Tilt(given) = self { Some(given) } else { None }
     }
 
+    /// What goes with every force where this goes with one: the tilt, or the eccentricity.
+    pub(crate) fn standing(self, force: f64) -> Self {
+        match self {
+            Self::Moment(moment) if moment != 0.0 => Self::Eccentricity(moment / force),
+            other => other,
+        }
+    }
+
     /// Name and value.
     pub(crate) fn named(self) -> (&'static str, f64) {
         match self {

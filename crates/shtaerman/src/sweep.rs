@@ -98,10 +98,7 @@ pub struct LoadSwept {
 /// Three cases whose contacts add up to that of a load: the first value on a flat base, the second on a flat base, and the profile without a load.
 fn parts(kinds: &Load, [first, second]: [f64; 2]) -> [Case; 3] {
     let load = |first: f64, second: f64| Load {
-        vertical: match kinds.vertical() {
-            Vertical::Force(_) => Vertical::Force(first),
-            Vertical::Settlement(_) => Vertical::Settlement(first),
-        },
+        vertical: kinds.vertical.mapped(|_| first, |_| first),
         rotational: match kinds.rotational() {
             Rotational::Tilt(_) => Rotational::Tilt(second),
             Rotational::Moment(_) | Rotational::Eccentricity(_) => Rotational::Moment(second),

@@ -42,9 +42,5 @@ fn standing(problem: &Problem) -> Result<(f64, Rotational), Error> {
     };
     let requirement = "greater than zero: the search begins there";
     crate::error::require(force.is_finite() && force > 0.0, "force", force, requirement)?;
-    let rotational = match load.rotational {
-        Rotational::Moment(moment) if moment != 0.0 => Rotational::Eccentricity(moment / force),
-        other => other,
-    };
-    Ok((force, rotational))
+    Ok((force, load.rotational.standing(force)))
 }

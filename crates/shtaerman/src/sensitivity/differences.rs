@@ -81,10 +81,9 @@ impl Contact {
             }
             Parameter::YoungModulus => problem.with_young_modulus(value),
             Parameter::Theta0 => problem.with_theta0(value),
-            Parameter::Vertical => problem.with_vertical(match problem.load().vertical {
-                Vertical::Force(_) => Vertical::Force(value),
-                Vertical::Settlement(_) => Vertical::Settlement(value),
-            }),
+            Parameter::Vertical => {
+                problem.with_vertical(problem.load().vertical.mapped(|_| value, |_| value))
+            }
         }
     }
 
