@@ -17,6 +17,12 @@ pub(crate) fn ascending(numbers: impl IntoIterator<Item = f64>) -> Vec<f64> {
     numbers
 }
 
+/// The parts into which places between them, from left to right, cut an interval.
+pub(crate) fn parts([left, right]: [f64; 2], at: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
+    let ends: Vec<f64> = [left].into_iter().chain(at).chain([right]).collect();
+    ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
 /// Indices of numbers, the smallest first.
 fn order(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();

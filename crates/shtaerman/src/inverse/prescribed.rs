@@ -131,10 +131,7 @@ impl<'p> Prescription<'p> {
     }
 
     fn panels(&self) -> Vec<[f64; 2]> {
-        let mut cuts = vec![-1.0];
-        cuts.extend(&self.breaks);
-        cuts.push(1.0);
-        cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        crate::order::parts([-1.0, 1.0], self.breaks.iter().copied())
     }
 
     fn largest(&self) -> f64 {

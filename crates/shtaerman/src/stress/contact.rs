@@ -123,8 +123,6 @@ fn breaks(problem: &Problem, period: Option<f64>) -> Vec<f64> {
 fn cut([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
     // A piece of rounding's length has no inside.
     let apart = 1e-13 * (right - left) + 4.0 * f64::EPSILON;
-    let mut cuts = vec![left];
-    cuts.extend(breaks.iter().filter(|at| **at > left + apart && **at < right - apart));
-    cuts.push(right);
-    cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    let inside = |at: &f64| *at > left + apart && *at < right - apart;
+    crate::order::parts([left, right], breaks.iter().copied().filter(inside))
 }
