@@ -137,16 +137,10 @@ fn plain(field: &Field<'_>) -> Result<f64, FileError> {
 fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
     let field = table.required("rhs")?;
     let constant = field.number().ok().map(quantity::plain);
-    let text = match &constant {
-        Some(text) => text,
-        None => field.string()?,
-    };
+    let text = if let Some(text) = &constant { text } else { field.string()? };
     Expression::parse(text, &[Equation::VARIABLE]).map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
-        match error.help() {
-            Some(help) => fault.with_help(help),
-            None => fault,
-        }
+        if let Some(help) = error.help() { fault.with_help(help) } else { fault }
     })
 }
 
@@ -184,10 +178,7 @@ fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
                 Some((field, _)) => field.error(message),
                 None => table.error(format!("{parameter} {message}")),
             };
-            match help {
-                Some(help) => fault.with_help(help),
-                None => fault,
-            }
+            if let Some(help) = help { fault.with_help(help) } else { fault }
         }
         other => table.error(other),
     })
