@@ -23,6 +23,13 @@ pub(crate) fn parts([left, right]: [f64; 2], at: impl Iterator<Item = f64>) -> V
     ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
+/// The same by places in order, of which some lie beyond it, and without pieces of rounding's length, which have no inside.
+pub(crate) fn panels([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
+    let apart = 1e-13 * (right - left) + 4.0 * f64::EPSILON;
+    let inside = |at: &f64| *at > left + apart && *at < right - apart;
+    parts([left, right], breaks.iter().copied().filter(inside))
+}
+
 /// Indices of numbers, the smallest first.
 fn order(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();

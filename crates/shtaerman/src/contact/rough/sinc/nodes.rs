@@ -123,7 +123,7 @@ impl<'b> SincNodes<'b> {
         let ground = base.ground.as_ref();
         let hull = ground.hull(first.left(), last.right(), base.surface.origin);
         let panels: Vec<[f64; 2]> =
-            zones.iter().flat_map(|zone| zone.panels(&base.breaks)).map(<[f64; 2]>::from).collect();
+            zones.iter().flat_map(|zone| zone.panels(&base.breaks)).collect();
         let operator = resolution.operator(local_panels(ground, &hull, &panels))?;
         let place = |place: Place| {
             let [left, right] = panels[place.panel];
