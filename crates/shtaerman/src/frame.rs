@@ -63,21 +63,12 @@ impl Frame {
     fn in_one_piece(foundation: &Foundation, punch: &Punch) -> Result<Self, Error> {
         let (roughness, geometry) = (foundation.roughness(), punch.geometry());
         let (half_width, body) = (punch.half_width(), punch.body());
-        match foundation.ground() {
+        let (foundation, grading, scaling) = match foundation.ground() {
             GroundKind::Homogeneous(material) => {
                 let body = body.as_ref();
                 let scaling =
-                    Scaling::in_geometry(&material, roughness, half_width, body, geometry)?;
-                let (foundation, body) = (material, body.copied());
-                Ok(Self::Physical {
-                    foundation,
-                    grading: None,
-                    layering: None,
-                    body,
-                    roughness,
-                    geometry,
-                    scaling,
-                })
+                    Scaling::in_geometry(&material, roughness, half_width, body, geometry);
+                (material, None, scaling?)
             }
             GroundKind::Graded(grading, poisson_ratio) => {
                 require(
@@ -98,16 +89,7 @@ impl Frame {
                 let moduli = [material.young_modulus(), material.plane_strain_modulus()];
                 let scaling =
                     Scaling::with_response(response, moduli, roughness, half_width, geometry)?;
-                let (foundation, grading) = (material, Some(grading));
-                Ok(Self::Physical {
-                    foundation,
-                    grading,
-                    layering: None,
-                    body: None,
-                    roughness,
-                    geometry,
-                    scaling,
-                })
+                (material, Some(grading), scaling)
             }
             GroundKind::Dimensionless(theta0) => {
                 let requirement = "1 in a dimensionless problem: its lengths are in half-widths";
@@ -115,9 +97,12 @@ impl Frame {
                 if body.is_some() {
                     return Err(stands_for_all("body"));
                 }
-                Ok(Self::Dimensionless { theta0, law: foundation.law(), geometry, layering: None })
+                let law = foundation.law();
+                return Ok(Self::Dimensionless { theta0, law, geometry, layering: None });
             }
-        }
+        };
+        let layering = None;
+        Ok(Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling })
     }
 
     /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` of the frame are those of the layer, or of what lies below a coating.
@@ -194,6 +179,11 @@ impl Frame {
         }
     }
 
+    /// A scale of a physical problem; 1 of a dimensionless one.
+    pub(crate) fn unit(&self, of: impl Fn(&Scaling) -> f64) -> f64 {
+        self.scaling().map_or(1.0, of)
+    }
+
     /// The geometry, lengths in the units of the problem.
     #[must_use]
     pub(crate) fn geometry(&self) -> Geometry {
@@ -268,7 +258,7 @@ impl Frame {
     /// Half-width in the units of the problem: metres, or 1.
     #[must_use]
     pub(crate) fn half_width(&self) -> f64 {
-        self.scaling().map_or(1.0, Scaling::half_width)
+        self.unit(Scaling::half_width)
     }
 
     /// Name of the coordinate in the units of the problem: `x` or `xi`.

@@ -16,6 +16,16 @@ pub enum Vertical {
 }
 
 impl Vertical {
+    /// The force, where it is what is prescribed.
+    pub(crate) fn force(self) -> Option<f64> {
+        if let Self::Force(given) = self { Some(given) } else { None }
+    }
+
+    /// The settlement, where it is what is prescribed.
+    pub(crate) fn settlement(self) -> Option<f64> {
+        if let Self::Settlement(given) = self { Some(given) } else { None }
+    }
+
     /// The same kind of load, with what these make of a force and of a settlement.
     pub(crate) fn mapped(
         self,
@@ -39,6 +49,30 @@ pub enum Rotational {
     Eccentricity(f64),
     /// Tilt `alpha` (rad); zero keeps the punch level, (5.1).
     Tilt(f64),
+}
+
+impl Rotational {
+    /// The tilt, where it is what is prescribed.
+    pub(crate) fn tilt(self) -> Option<f64> {
+        if let Self::Tilt(given) = self { Some(given) } else { None }
+    }
+
+    /// What goes with every force where this goes with one: the tilt, or the eccentricity.
+    pub(crate) fn standing(self, force: f64) -> Self {
+        match self {
+            Self::Moment(moment) if moment != 0.0 => Self::Eccentricity(moment / force),
+            other => other,
+        }
+    }
+
+    /// Name and value.
+    pub(crate) fn named(self) -> (&'static str, f64) {
+        match self {
+            Self::Moment(value) => ("moment", value),
+            Self::Eccentricity(value) => ("eccentricity", value),
+            Self::Tilt(value) => ("tilt", value),
+        }
+    }
 }
 
 /// One of force and settlement, and one of moment, eccentricity and tilt.
@@ -124,12 +158,39 @@ impl Load {
             Vertical::Force(value) => finite("force", value)?,
             Vertical::Settlement(value) => finite("settlement", value)?,
         };
-        match rotational {
-            Rotational::Moment(value) => finite("moment", value)?,
-            Rotational::Eccentricity(value) => finite("eccentricity", value)?,
-            Rotational::Tilt(value) => finite("tilt", value)?,
-        };
+        let (field, value) = rotational.named();
+        finite(field, value)?;
         Ok(Self { vertical, rotational })
+    }
+
+    /// Force and moment; 0 where another quantity is prescribed.
+    pub(crate) fn forces(&self) -> [f64; 2] {
+        let moment = if let Rotational::Moment(moment) = self.rotational { moment } else { 0.0 };
+        [self.vertical.force().unwrap_or(0.0), moment]
+    }
+
+    /// Settlement and tilt; 0 where another quantity is prescribed.
+    pub(crate) fn displacements(&self) -> [f64; 2] {
+        [self.vertical.settlement().unwrap_or(0.0), self.rotational.tilt().unwrap_or(0.0)]
+    }
+
+    /// Where the force acts, if the load says so.
+    pub(crate) fn arm(&self) -> Option<f64> {
+        match (self.vertical, self.rotational) {
+            (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
+            (_, Rotational::Eccentricity(e)) => Some(e),
+            _ => None,
+        }
+    }
+
+    /// The load under which a profile less the line `height + slope xi` is met as the whole one is under this.
+    pub(crate) fn lowered(self, height: f64, slope: f64) -> Self {
+        let vertical = self.vertical.mapped(|force| force, |settlement| settlement - height);
+        let rotational = match self.rotational {
+            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + slope),
+            other => other,
+        };
+        Self { vertical, rotational }
     }
 
     /// Refuses what no pressure on a base of this half-width can balance: a force that lifts the punch off, and one that tips it over.

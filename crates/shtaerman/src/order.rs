@@ -9,6 +9,27 @@ pub(crate) fn sort_by_number<T: Copy>(items: &mut [T], number: impl Fn(&T) -> f6
     items.copy_from_slice(&sorted);
 }
 
+/// The same numbers in their order, each once.
+pub(crate) fn ascending(numbers: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut numbers: Vec<f64> = numbers.into_iter().collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    numbers
+}
+
+/// The parts into which places between them, from left to right, cut an interval.
+pub(crate) fn parts([left, right]: [f64; 2], at: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {
+    let ends: Vec<f64> = [left].into_iter().chain(at).chain([right]).collect();
+    ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+/// The same by places in order, of which some lie beyond it, and without pieces of rounding's length, which have no inside.
+pub(crate) fn panels([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
+    let apart = 1e-13 * (right - left) + 4.0 * f64::EPSILON;
+    let inside = |at: &f64| *at > left + apart && *at < right - apart;
+    parts([left, right], breaks.iter().copied().filter(inside))
+}
+
 /// Indices of numbers, the smallest first.
 fn order(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();

@@ -10,9 +10,7 @@ use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
 use crate::profile::Resolution;
-use crate::{
-    ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
-};
+use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solver, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
@@ -191,15 +189,12 @@ impl Problem {
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
         let (profile, level) = self.profile().lowered(self.frame.half_width())?;
-        let (vertical, profile) = match self.load.vertical {
-            Vertical::Force(force) => (Vertical::Force(force), profile),
+        let load = self.load.lowered(level, 0.0);
+        let profile = match self.load.vertical.settlement() {
             // What rounding takes from the settlement is left to the heights.
-            Vertical::Settlement(settlement) => (
-                Vertical::Settlement(settlement - level),
-                profile.raised(-remainder_of_sum(settlement, -level)),
-            ),
+            Some(settlement) => profile.raised(-remainder_of_sum(settlement, -level)),
+            None => profile,
         };
-        let load = Load { vertical, ..self.load };
         let punch = self.punch.clone().with_profile(profile);
         Some((Self { punch, load, ..self.clone() }, level))
     }
@@ -207,18 +202,15 @@ impl Problem {
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
-        let half_width = self.frame.half_width();
-        let height = self.profile().height(xi, half_width);
-        self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
+        let height = self.profile().height(xi, self.frame.half_width());
+        height / self.frame.unit(Scaling::displacement)
     }
 
     /// The same at many places, which must be finite.
     pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
         let mut heights = self.profile().heights(places, self.frame.half_width());
-        if let Some(scaling) = self.frame.scaling() {
-            let displacement = scaling.displacement();
-            heights.iter_mut().for_each(|height| *height /= displacement);
-        }
+        let displacement = self.frame.unit(Scaling::displacement);
+        heights.iter_mut().for_each(|height| *height /= displacement);
         match heights.iter().position(|height| !height.is_finite()) {
             Some(place) => self.checked(places[place], heights[place]).map(|_| heights),
             None => Ok(heights),
@@ -228,13 +220,13 @@ impl Problem {
     /// `df0/dxi`.
     pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
         let slope = self.profile().slope(xi, self.frame.half_width())?;
-        Some(self.frame.scaling().map_or(slope, |scaling| slope / scaling.displacement()))
+        Some(slope / self.frame.unit(Scaling::displacement))
     }
 
     /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
         let rise = self.profile().rise(c, xi - c, self.frame.half_width());
-        self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
+        rise / self.frame.unit(Scaling::displacement)
     }
 
     /// Encloses `f0(xi)` on an interval, as [`Profile::enclose`] does.
@@ -279,13 +271,9 @@ impl Problem {
 
     /// Whether base and load are proved to be their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
-        let level = match self.load.rotational {
-            Rotational::Moment(value)
-            | Rotational::Eccentricity(value)
-            | Rotational::Tilt(value) => value == 0.0,
-        };
         // A circular base is a body of revolution, or refused.
-        level && (self.frame.is_circular() || self.reflection().is_even)
+        self.load.rotational.named().1 == 0.0
+            && (self.frame.is_circular() || self.reflection().is_even)
     }
 
     /// The relative error that is aimed at where no tolerance is given: `1e-12 max(1, theta0/10)`, of measured profiles `1e-10 max(1, theta0/100)`: rounding grows with `theta0`.
@@ -336,6 +324,13 @@ impl Problem {
         };
         let requirement = "large enough against modulus and width to be a number";
         require(scaled > 0.0, "force", force, requirement).map(|_| ())
+    }
+
+    /// Refuses a tilt and a moment of a base that fills its period.
+    pub(crate) fn require_no_turn(&self) -> Result<(), Error> {
+        let (field, value) = self.load.rotational.named();
+        let requirement = "zero where the base fills the period: a wave cannot tilt, and a moment does not repeat";
+        require(value == 0.0, field, value, requirement).map(|_| ())
     }
 
     fn check_profile(&self) -> Result<(), Error> {

@@ -38,12 +38,21 @@ pub enum Law {
 }
 
 impl Law {
-    /// What the layer gives under `p0 >= 0`.
+    /// What the layer gives under `p0`; a power bears no tension.
     pub(crate) fn displacement(self, pressure: f64) -> f64 {
         match self {
             Self::Smooth => 0.0,
             Self::Linear => pressure,
-            Self::Power(exponent) => pressure.powf(exponent),
+            Self::Power(exponent) => pressure.max(0.0).powf(exponent),
+        }
+    }
+
+    /// `kappa`; none of a smooth surface.
+    pub(crate) fn exponent(self) -> Option<f64> {
+        match self {
+            Self::Smooth => None,
+            Self::Linear => Some(1.0),
+            Self::Power(exponent) => Some(exponent),
         }
     }
 }
@@ -85,6 +94,15 @@ impl Roughness {
             Self::Smooth => 0.0,
             Self::Linear { compliance } => compliance * pressure,
             Self::Power { coefficient, exponent } => coefficient * pressure.powf(exponent),
+        }
+    }
+
+    /// `B` and `kappa`; none of a smooth surface.
+    pub(crate) fn coefficients(&self) -> Option<(f64, f64)> {
+        match *self {
+            Self::Smooth => None,
+            Self::Linear { compliance } => Some((compliance, 1.0)),
+            Self::Power { coefficient, exponent } => Some((coefficient, exponent)),
         }
     }
 

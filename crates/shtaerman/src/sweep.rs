@@ -98,10 +98,7 @@ pub struct LoadSwept {
 /// Three cases whose contacts add up to that of a load: the first value on a flat base, the second on a flat base, and the profile without a load.
 fn parts(kinds: &Load, [first, second]: [f64; 2]) -> [Case; 3] {
     let load = |first: f64, second: f64| Load {
-        vertical: match kinds.vertical() {
-            Vertical::Force(_) => Vertical::Force(first),
-            Vertical::Settlement(_) => Vertical::Settlement(first),
-        },
+        vertical: kinds.vertical.mapped(|_| first, |_| first),
         rotational: match kinds.rotational() {
             Rotational::Tilt(_) => Rotational::Tilt(second),
             Rotational::Moment(_) | Rotational::Eccentricity(_) => Rotational::Moment(second),
@@ -117,9 +114,7 @@ fn parts(kinds: &Load, [first, second]: [f64; 2]) -> [Case; 3] {
 /// The two values of a load.
 fn values(load: &Load) -> [f64; 2] {
     let (Vertical::Force(first) | Vertical::Settlement(first)) = load.vertical();
-    let (Rotational::Moment(second) | Rotational::Eccentricity(second) | Rotational::Tilt(second)) =
-        load.rotational();
-    [first, second]
+    [first, load.rotational().named().1]
 }
 
 impl LoadSweep {
@@ -351,10 +346,7 @@ impl Theta0Sweep {
         };
         let cross = |i: usize, j: usize| vertical[i] * rotational[j] - vertical[j] * rotational[i];
         let (settlement, tilt) = (cross(2, 1) / cross(0, 1), cross(0, 2) / cross(0, 1));
-        let force = match load.vertical() {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => a * settlement - b * tilt - p,
-        };
+        let force = load.vertical.force().unwrap_or(a * settlement - b * tilt - p);
         let moment = match load.rotational() {
             Rotational::Moment(moment) => moment,
             Rotational::Eccentricity(e) => e * force,
@@ -367,14 +359,8 @@ impl Theta0Sweep {
         });
         Swept {
             // What is prescribed is told as it was given.
-            settlement: match load.vertical() {
-                Vertical::Force(_) => settlement + level,
-                Vertical::Settlement(settlement) => settlement,
-            },
-            tilt: match load.rotational() {
-                Rotational::Moment(_) | Rotational::Eccentricity(_) => tilt,
-                Rotational::Tilt(tilt) => tilt,
-            },
+            settlement: load.vertical.settlement().unwrap_or(settlement + level),
+            tilt: load.rotational.tilt().unwrap_or(tilt),
             force,
             moment,
             pressure_left: left,

@@ -17,7 +17,7 @@ pub(super) const LONGEST_QUOTE: usize = 60;
 #[error("{}", .0.sentence())]
 pub struct FileError(Box<Fault>);
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct Fault {
     file_name: Option<String>,
     origin: Option<Origin>,
@@ -32,14 +32,7 @@ impl FileError {
     /// A fault that is nowhere in particular, such as of a file that cannot be read at all.
     #[must_use]
     pub fn new(message: impl Into<String>) -> Self {
-        Self(Box::new(Fault {
-            file_name: None,
-            origin: None,
-            field: None,
-            message: message.into(),
-            help: None,
-            inner: None,
-        }))
+        Self(Box::new(Fault { message: message.into(), ..Fault::default() }))
     }
 
     /// The same fault, in the file of this name.
@@ -81,11 +74,8 @@ impl FileError {
     }
 
     pub(super) fn from_quantity(error: &QuantityError) -> Self {
-        let fault = Self::new(error.to_string());
-        match error.help() {
-            Some(help) => fault.with_help(help),
-            None => fault,
-        }
+        let (message, help) = (error.to_string(), error.help());
+        Self(Box::new(Fault { message, help, ..Fault::default() }))
     }
 
     /// The name of the file, if there is one.

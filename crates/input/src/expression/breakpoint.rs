@@ -4,7 +4,7 @@ use super::Expression;
 use super::enclose::Enclosure;
 use super::evaluate::run;
 use super::float::between;
-use super::function::{Binary, Unary};
+use super::function::Unary;
 use super::interval::Interval;
 use super::line::Line;
 use super::program::{Operation, operand_start, stack_height};
@@ -106,14 +106,7 @@ impl<'a> Switch<'a> {
         let rule = match program[index] {
             Operation::Unary(Unary::Abs | Unary::Sign | Unary::Step | Unary::Cbrt) => Rule::Sign,
             Operation::Unary(stairs @ (Unary::Floor | Unary::Ceil)) => Rule::Stairs(stairs),
-            Operation::Binary(
-                Binary::Minimum
-                | Binary::Maximum
-                | Binary::Less
-                | Binary::LessEqual
-                | Binary::Greater
-                | Binary::GreaterEqual,
-            ) => Rule::Difference,
+            Operation::Binary(function) if function.is_switch() => Rule::Difference,
             _ => return None,
         };
         let mut start = operand_start(program, index);

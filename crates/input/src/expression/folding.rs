@@ -42,13 +42,7 @@ pub(super) fn binary(
             Binary::Multiply => is_product(u, v, value),
             Binary::Divide => is_product(value, v, u),
             Binary::Power => is_power(u, v, value),
-            Binary::Hypot | Binary::Atan2 => false,
-            Binary::Minimum
-            | Binary::Maximum
-            | Binary::Less
-            | Binary::LessEqual
-            | Binary::Greater
-            | Binary::GreaterEqual => true,
+            _ => function.is_switch(),
         };
     let enclosure =
         || Enclosure::binary(function, Enclosure::rounded(u, first), Enclosure::rounded(v, second));

@@ -1,7 +1,6 @@
 //! The functions and operators an expression can hold, and their values.
 
 use super::error::Arity;
-use super::token::Operator;
 
 /// One argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -120,22 +119,6 @@ pub(super) const FUNCTIONS: &[(&str, Function)] = &[
 pub(super) const CONSTANTS: &[(&str, f64)] =
     &[("pi", std::f64::consts::PI), ("e", std::f64::consts::E), ("tau", std::f64::consts::TAU)];
 
-impl From<Operator> for Binary {
-    fn from(operator: Operator) -> Binary {
-        match operator {
-            Operator::Add => Binary::Add,
-            Operator::Subtract => Binary::Subtract,
-            Operator::Multiply => Binary::Multiply,
-            Operator::Divide => Binary::Divide,
-            Operator::Power => Binary::Power,
-            Operator::Less => Binary::Less,
-            Operator::LessEqual => Binary::LessEqual,
-            Operator::Greater => Binary::Greater,
-            Operator::GreaterEqual => Binary::GreaterEqual,
-        }
-    }
-}
-
 impl Unary {
     pub(super) fn value(self, u: f64) -> f64 {
         match self {
@@ -172,6 +155,12 @@ impl Unary {
 }
 
 impl Binary {
+    /// Whether it goes from one value to another where its arguments are equal.
+    pub(super) fn is_switch(self) -> bool {
+        use Binary::*;
+        matches!(self, Minimum | Maximum | Less | LessEqual | Greater | GreaterEqual)
+    }
+
     /// The value; NaN whenever an argument is, unlike the IEEE minimum, maximum, power and
     /// hypotenuse, so that nothing undefined is ever hidden.
     pub(super) fn value(self, u: f64, v: f64) -> f64 {

@@ -7,23 +7,22 @@ use super::error::{ErrorReason, ExpressionError};
 use super::function::{Binary, CONSTANTS, FUNCTIONS, Function, Unary};
 use super::limits::{DEPTH_LIMIT, STACK_LIMIT, TEXT_LIMIT};
 use super::program::{Builder, Operation, stack_height};
-use super::token::{Lexer, Operator, Token, shorten};
+use super::token::{Lexer, Token, shorten};
 
 type Parsed<T> = Result<T, ExpressionError>;
 
 /// Binding power of a sign before a value: looser than a power, tighter than a product.
 const SIGN_POWER: u8 = 7;
 
-impl Operator {
-    /// Binding powers to the left and to the right.
+impl Binary {
+    /// Binding powers of an operator to the left and to the right.
     fn binding(self) -> (u8, u8) {
         match self {
-            Operator::Less | Operator::LessEqual | Operator::Greater | Operator::GreaterEqual => {
-                (1, 2)
-            }
-            Operator::Add | Operator::Subtract => (3, 4),
-            Operator::Multiply | Operator::Divide => (5, 6),
-            Operator::Power => (9, 8),
+            Binary::Add | Binary::Subtract => (3, 4),
+            Binary::Multiply | Binary::Divide => (5, 6),
+            Binary::Power => (9, 8),
+            // Of the others comparisons alone are operators.
+            _ => (1, 2),
         }
     }
 }
@@ -113,7 +112,7 @@ impl<'a> Parser<'a> {
             }
             has_comparison |= is_comparison;
             let depth = self.depth;
-            if operator == Operator::Power {
+            if operator == Binary::Power {
                 self.deeper()?;
             }
             self.advance()?;
@@ -121,15 +120,15 @@ impl<'a> Parser<'a> {
             self.expression(binds_right)?;
             self.depth = depth;
             match operator {
-                Operator::Multiply => self.builder.multiply(left, right),
-                _ => self.builder.binary(operator.into()),
+                Binary::Multiply => self.builder.multiply(left, right),
+                _ => self.builder.binary(operator),
             }
         }
         Ok(())
     }
 
     /// The operator at hand, or nothing at the end of an expression.
-    fn operator(&self) -> Parsed<Option<Operator>> {
+    fn operator(&self) -> Parsed<Option<Binary>> {
         match self.token {
             Token::Operator(operator) => Ok(Some(operator)),
             Token::Close | Token::Comma | Token::End => Ok(None),
@@ -156,7 +155,7 @@ impl<'a> Parser<'a> {
                 Ok(())
             }
             Token::Name => self.name(),
-            Token::Operator(sign @ (Operator::Subtract | Operator::Add)) => self.signed(sign),
+            Token::Operator(sign @ (Binary::Subtract | Binary::Add)) => self.signed(sign),
             Token::Open => self.bracket(),
             Token::Operator(_) | Token::Close | Token::Comma | Token::End => self.missing_operand(),
         }
@@ -169,12 +168,12 @@ impl<'a> Parser<'a> {
         Err(ExpressionError { reason: ErrorReason::MissingOperand { neighbour, after }, span })
     }
 
-    fn signed(&mut self, sign: Operator) -> Parsed<()> {
+    fn signed(&mut self, sign: Binary) -> Parsed<()> {
         self.deeper()?;
         self.advance()?;
         self.expression(SIGN_POWER)?;
         self.depth -= 1;
-        if sign == Operator::Subtract {
+        if sign == Binary::Subtract {
             self.builder.unary(Unary::Negate);
         }
         Ok(())

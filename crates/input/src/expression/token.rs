@@ -3,29 +3,17 @@
 use std::ops::Range;
 
 use super::error::{ErrorReason, ExpressionError};
+use super::function::Binary;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Token {
     Number(f64),
     Name,
-    Operator(Operator),
+    Operator(Binary),
     Open,
     Close,
     Comma,
     End,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-    Less,
-    LessEqual,
-    Greater,
-    GreaterEqual,
 }
 
 /// Reads one token after another; it never looks further than the token it returns.
@@ -66,7 +54,7 @@ fn stray(character: char, start: usize) -> ExpressionError {
 }
 
 fn symbol(rest: &str) -> Option<(Token, usize)> {
-    use Operator::*;
+    use Binary::*;
     let two = [("**", Power), ("<=", LessEqual), (">=", GreaterEqual)];
     if let Some((_, operator)) = two.iter().find(|(sign, _)| rest.starts_with(sign)) {
         return Some((Token::Operator(*operator), 2));

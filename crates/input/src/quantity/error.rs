@@ -41,10 +41,9 @@ impl QuantityError {
             QuantityErrorKind::NoNumber => {
                 Some("write the number before the unit, as in \"200 GPa\"".to_owned())
             }
-            QuantityErrorKind::UnknownUnit { suggestion, .. } => match suggestion {
-                Some(_) => None,
-                None => Some(format!("known units: {}", super::units::catalogue())),
-            },
+            QuantityErrorKind::UnknownUnit { suggestion: None, .. } => {
+                Some(format!("known units: {}", super::units::catalogue()))
+            }
             _ => None,
         }
     }

@@ -196,6 +196,25 @@ fn values_out_of_range() {
     ]);
 }
 
+/// What would turn a base that fills its period is named as it was written, on a rough surface and on a smooth one.
+#[test]
+fn a_wave_does_not_turn() {
+    let wave = "geometry = \"periodic\"\nperiod = \"10 mm\"";
+    let wave = UNILATERAL.replace("half_width = \"5 mm\"", wave);
+    let smooth = wave.replace("\"1.2e-14 m/Pa\"", "0");
+    for problem in [&wave, &smooth] {
+        for (load, place) in [
+            ("moment = \"100 N\"", "punch.toml:13: load.moment"),
+            ("eccentricity = \"1 um\"", "punch.toml:13: load.eccentricity"),
+            ("tilt = 1e-6", "punch.toml:13: load.tilt"),
+        ] {
+            let folder = Folder::with(&problem.replace("moment = \"100 N\"", load));
+            let stderr = refusal(&folder, place);
+            assert!(stderr.contains("zero where the base fills the period"), "{stderr}");
+        }
+    }
+}
+
 #[test]
 fn units() {
     check(&[

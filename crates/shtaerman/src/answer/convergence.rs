@@ -101,14 +101,11 @@ impl Convergence {
         let mut rows: Vec<Row> = Vec::new();
         for n in degrees {
             let (contact, iterated) = problem.solve_iterated(n)?;
-            let entries = (0..quantities.len())
-                .map(|i| {
-                    Entry::after(
-                        rows.last().map(|row| &row.entries[i]),
-                        value(quantities[i], &contact, iterated),
-                    )
-                })
-                .collect();
+            let entry = |(i, quantity): (usize, &Quantity)| {
+                let before = rows.last().map(|row| &row.entries[i]);
+                Entry::after(before, value(*quantity, &contact, iterated))
+            };
+            let entries = quantities.iter().enumerate().map(entry).collect();
             rows.push(Row { n, entries });
         }
         Ok(Self { quantities, rows })
@@ -135,10 +132,7 @@ fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
     } else {
         None
     };
-    match refused {
-        Some((found, remedy)) => Err(Error::NoDegenerateKernel { found, remedy }),
-        None => Ok(()),
-    }
+    refused.map_or(Ok(()), |(found, remedy)| Err(Error::NoDegenerateKernel { found, remedy }))
 }
 
 /// Whether a unilateral contact is less than the full base.

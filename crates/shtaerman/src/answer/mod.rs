@@ -216,10 +216,8 @@ impl PressureCurve {
 /// `count` places from -1 to 1, on each zone and on each interval beside as Chebyshev points; on the whole base where they are too few for that.
 fn spread(zones: &[[f64; 2]], count: usize) -> Vec<f64> {
     const FEWEST: usize = 4;
-    let mut ends: Vec<f64> = zones.iter().flatten().copied().filter(|xi| xi.abs() < 1.0).collect();
-    ends.extend([-1.0, 1.0]);
-    ends.sort_by(f64::total_cmp);
-    ends.dedup();
+    let inside = zones.iter().flatten().copied().filter(|xi| xi.abs() < 1.0);
+    let mut ends = crate::order::ascending(inside.chain([-1.0, 1.0]));
     let steps = count - 1;
     if steps < FEWEST * (ends.len() - 1) {
         ends = vec![-1.0, 1.0];

@@ -1,8 +1,11 @@
 //! How sure an answer is.
 
+use std::ops::Add;
+
 use serde::Serialize;
 
 use super::balance::State;
+use crate::{Load, Rotational};
 
 /// Rounding of a quantity relative to what is added up in it (survey).
 pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
@@ -81,30 +84,39 @@ impl Accuracy {
 
     /// No error below this share of its size; what the load prescribes stays exact.
     pub(super) fn at_least(self, share: f64, sizes: &Sizes) -> Self {
-        let floor =
-            |error: f64, size: f64| if error == 0.0 { 0.0 } else { error.max(share * size) };
+        let Sizes { pressure, displacement, force } = *sizes;
+        let least = [displacement, displacement, force, force].map(|size| share * size);
+        let pressure = self.pressure.max(share * pressure);
+        Self { pressure, ..self.open(least, f64::max) }
+    }
+
+    /// With what is made of the errors of settlement, tilt, force and moment and a number beside each; what is exact, prescribed or zero by symmetry, stays so.
+    pub(super) fn open(self, beside: [f64; 4], made: impl Fn(f64, f64) -> f64) -> Self {
+        let known = [self.settlement, self.tilt, self.force, self.moment];
+        let [settlement, tilt, force, moment] =
+            std::array::from_fn(|k| if known[k] == 0.0 { 0.0 } else { made(known[k], beside[k]) });
+        Self { settlement, tilt, force, moment, ..self }
+    }
+
+    /// Without errors of what the load prescribes.
+    pub(super) fn under(self, load: &Load) -> Self {
+        let (by_force, rotational) = (load.vertical.force().is_some(), load.rotational);
+        let unless = |is_given: bool, error: f64| if is_given { 0.0 } else { error };
         Self {
-            kind: self.kind,
-            pressure: self.pressure.max(share * sizes.pressure),
-            settlement: floor(self.settlement, sizes.displacement),
-            tilt: floor(self.tilt, sizes.displacement),
-            force: floor(self.force, sizes.force),
-            moment: floor(self.moment, sizes.force),
+            settlement: unless(!by_force, self.settlement),
+            tilt: unless(rotational.tilt().is_some(), self.tilt),
+            force: unless(by_force, self.force),
+            moment: unless(matches!(rotational, Rotational::Moment(_)), self.moment),
+            ..self
         }
     }
 
     /// What a series that misses the profile by `error` adds: `A^-1` has norms near one, so each displacement moves by about as much, the pressure by twice that
     /// and forces by the stiffnesses `c11`, `c22` times that. An estimate.
     pub(super) fn with_profile_error(self, error: f64, stiffness: [f64; 2]) -> Self {
-        let raised = |known: f64, by: f64| if known == 0.0 { 0.0 } else { known + by };
-        Self {
-            kind: ErrorKind::Estimate,
-            pressure: self.pressure + 2.0 * error,
-            settlement: raised(self.settlement, error),
-            tilt: raised(self.tilt, 2.0 * error),
-            force: raised(self.force, stiffness[0] * error),
-            moment: raised(self.moment, 2.0 * stiffness[1] * error),
-        }
+        let by = [error, 2.0 * error, stiffness[0] * error, 2.0 * stiffness[1] * error];
+        let pressure = self.pressure + 2.0 * error;
+        Self { kind: ErrorKind::Estimate, pressure, ..self.open(by, f64::add) }
     }
 
     pub(crate) fn is_finite(&self) -> bool {

@@ -12,7 +12,7 @@ use super::posed::{GRADED, Posed, posed};
 use super::promise::ROUGHEST;
 use super::unaudited::Unaudited;
 use super::{Accuracy, ErrorKind};
-use crate::{Contact, ContactKind, Error, Load, Problem, Rotational, Vertical};
+use crate::{Contact, ContactKind, Error, Load, Problem, Rotational};
 
 /// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.
 const IN_THE_MEAN: f64 = 1e-3;
@@ -121,10 +121,8 @@ impl Contact {
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
         let zones = bare.zones();
         let zones = if problem.is_wave() { within_period(&zones) } else { zones };
-        let mut cuts = problem.profile().joints(frame.half_width());
-        cuts.extend(problem.resolution(DEGREE, RESOLVED).joints);
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = problem.profile().joints(frame.half_width()).into_iter();
+        let cuts = crate::order::ascending(cuts.chain(problem.resolution(DEGREE, RESOLVED).joints));
         let pressure = |xi: f64| self.pressure_at(xi);
         let answer = Answer {
             zones: &zones,
@@ -328,35 +326,23 @@ impl Contact {
 
 /// What the load prescribes; of a settlement with an eccentricity the answer's own force and moment instead, which is told.
 fn prescribed(load: &Load, force: f64, moment: f64) -> (Prescribed, bool) {
-    match (load.vertical, load.rotational) {
-        (Vertical::Force(force), Rotational::Moment(moment)) => {
-            (Prescribed { force: Some(force), moment: Some(moment) }, false)
+    let given = load.vertical.force();
+    let moment = match (load.rotational, given) {
+        (Rotational::Tilt(_), _) => None,
+        (Rotational::Moment(moment), _) => Some(moment),
+        (Rotational::Eccentricity(e), Some(force)) => Some(e * force),
+        (Rotational::Eccentricity(0.0), None) => Some(0.0),
+        (Rotational::Eccentricity(_), None) => {
+            return (Prescribed { force: Some(force), moment: Some(moment) }, true);
         }
-        (Vertical::Force(force), Rotational::Eccentricity(e)) => {
-            (Prescribed { force: Some(force), moment: Some(e * force) }, false)
-        }
-        (Vertical::Force(force), Rotational::Tilt(_)) => {
-            (Prescribed { force: Some(force), moment: None }, false)
-        }
-        (Vertical::Settlement(_), Rotational::Moment(moment)) => {
-            (Prescribed { force: None, moment: Some(moment) }, false)
-        }
-        (Vertical::Settlement(_), Rotational::Tilt(_)) => {
-            (Prescribed { force: None, moment: None }, false)
-        }
-        (Vertical::Settlement(_), Rotational::Eccentricity(0.0)) => {
-            (Prescribed { force: None, moment: Some(0.0) }, false)
-        }
-        (Vertical::Settlement(_), Rotational::Eccentricity(_)) => {
-            (Prescribed { force: Some(force), moment: Some(moment) }, true)
-        }
-    }
+    };
+    (Prescribed { force: given, moment }, false)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Foundation, LayerBase, Layering, Profile, Punch};
+    use crate::{Foundation, LayerBase, Layering, Profile, Punch, Vertical};
 
     fn contact(thickness: f64, vertical: Vertical) -> Contact {
         let layering =

@@ -27,21 +27,37 @@ pub(super) struct State {
 impl State {
     /// The same with what a load prescribes as given: out of equations it comes with rounding.
     pub(super) fn given(self, load: &Load) -> Self {
-        let (settlement, force) = match load.vertical {
-            Vertical::Settlement(settlement) => (settlement, self.force),
-            Vertical::Force(force) => (self.settlement, force),
+        let force = load.vertical.force().unwrap_or(self.force);
+        let moment = match load.rotational {
+            Rotational::Tilt(_) => self.moment,
+            Rotational::Moment(moment) => moment,
+            Rotational::Eccentricity(e) => e * force,
         };
-        let (tilt, moment) = match load.rotational {
-            Rotational::Tilt(tilt) => (tilt, self.moment),
-            Rotational::Moment(moment) => (self.tilt, moment),
-            Rotational::Eccentricity(e) => (self.tilt, e * force),
-        };
-        // Adding zero turns a negative zero into a plain one.
+        let settlement = load.vertical.settlement().unwrap_or(self.settlement);
+        Self { settlement, tilt: load.rotational.tilt().unwrap_or(self.tilt), force, moment }
+            .plain()
+    }
+
+    /// The same without negative zeros: adding zero turns one into a plain one.
+    pub(super) fn plain(self) -> Self {
         Self {
-            settlement: settlement + 0.0,
-            tilt: tilt + 0.0,
-            force: force + 0.0,
-            moment: moment + 0.0,
+            settlement: self.settlement + 0.0,
+            tilt: self.tilt + 0.0,
+            force: self.force + 0.0,
+            moment: self.moment + 0.0,
+        }
+    }
+}
+
+impl Rotational {
+    /// Tilt and moment under a force, of a disk with this `dM0/d(-alpha0)`.
+    pub(super) fn turned(self, force: f64, turning: f64) -> [f64; 2] {
+        match self {
+            // Of rings, which stand level, it is known in the answer only.
+            _ if self.named().1 == 0.0 => [0.0; 2],
+            Self::Tilt(tilt) => [tilt, -tilt * turning],
+            Self::Moment(moment) => [-moment / turning, moment],
+            Self::Eccentricity(e) => [-e * force / turning, e * force],
         }
     }
 }
@@ -88,10 +104,7 @@ impl Balance {
         [height, slope]: [f64; 2],
     ) -> State {
         let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
-        let force = match load.vertical {
-            Vertical::Force(prescribed) => prescribed,
-            Vertical::Settlement(_) => c11 * depth - c12 * tilt - self.free[0],
-        };
+        let force = load.vertical.force().unwrap_or(c11 * depth - c12 * tilt - self.free[0]);
         let moment = c12 * depth - c22 * tilt - self.free[1] + self.centre * force;
         let settlement = depth + height + (tilt - slope) * self.centre;
         State { settlement, tilt: tilt - slope, force, moment }.given(load)

@@ -137,12 +137,10 @@ fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 3]> {
 /// Places between the breaks of a profile, which may lie close about a narrow feature, and the ends of an interval.
 pub(super) fn between_breaks(breaks: &[f64], [left, right]: [f64; 2]) -> Vec<f64> {
     let inside = breaks.iter().copied().filter(|xi| left < *xi && *xi < right);
-    let ends: Vec<f64> = [left].into_iter().chain(inside).chain([right]).collect();
-    let part = |pair: &[f64]| {
-        let [from, to] = [pair[0], pair[1]];
+    let part = |[from, to]: [f64; 2]| {
         (1..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
     };
-    ends.windows(2).flat_map(part).collect()
+    crate::order::parts([left, right], inside).into_iter().flat_map(part).collect()
 }
 
 #[cfg(test)]

@@ -1,22 +1,17 @@
-//! The same problem with another roughness.
+//! The same problem with a smooth surface.
 
 use std::f64::consts::PI;
 
 use crate::frame::Frame;
 use crate::{Elastic, Problem, Roughness, Scaling, Solver};
 
-/// `theta0 chi`, the response of the body over its half-width (m/Pa).
-fn elastic(problem: &Problem) -> f64 {
+/// The same problem with a smooth surface; of a dimensionless one with `E = 1`, `chi = 1`.
+pub(super) fn companion(problem: &Problem) -> Option<Problem> {
     let frame = problem.frame();
-    let unit = |scaling: &Scaling| scaling.displacement() / scaling.pressure();
-    frame.theta0() * frame.scaling().map_or(1.0, unit)
-}
-
-/// The same problem with another roughness (m/Pa); of a dimensionless one with `E = 1`, `chi = 1`.
-pub(super) fn companion(problem: &Problem, roughness: Roughness) -> Option<Problem> {
-    let frame = problem.frame();
-    let half_width = frame.half_width();
-    let response = elastic(problem) / half_width;
+    let (half_width, roughness) = (frame.half_width(), Roughness::Smooth);
+    // theta0 chi, the response of the body over its half-width (m/Pa).
+    let unit = frame.unit(|scaling| scaling.displacement() / scaling.pressure());
+    let response = frame.theta0() * unit / half_width;
     let moduli = match frame.scaling() {
         Some(scaling) => [scaling.pressure(), scaling.contact_modulus()],
         None => [1.0, 2.0 / (PI * response)],

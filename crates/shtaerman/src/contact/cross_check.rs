@@ -71,7 +71,7 @@ impl Problem {
     /// [`Error::NoReference`] with the reason.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
         let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
-        let displacement = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        let displacement = self.frame().unit(Scaling::displacement);
         let height = |xi: f64| problem.dimensionless_profile(xi);
         let layering =
             self.frame().layering().map(|on| on.clone().scaled(self.frame().half_width()));
@@ -237,11 +237,7 @@ impl<'a> Posing<'a> {
             .collect();
         let round = Posed { rotational: Turned::Tilt(0.0), ..posed };
         let even = solve(&round, &zones)?;
-        let is_level = matches!(
-            self.load.rotational,
-            Rotational::Moment(0.0) | Rotational::Eccentricity(0.0) | Rotational::Tilt(0.0)
-        );
-        if is_level {
+        if self.load.rotational.named().1 == 0.0 {
             return Ok(self.judge(contact, &Found::new(&even, &|xi| even.pressure(xi.abs()))));
         }
         let turned = match self.load.rotational {
@@ -350,10 +346,8 @@ impl<'a> Posing<'a> {
 
     /// Where pressures are compared.
     fn places(&self, contact: &Contact) -> Vec<f64> {
-        let (first, last) = (-1.0, 1.0);
-        let mut places: Vec<f64> = (0..=EVENLY)
-            .map(|i| first + (last - first) * f64::from(i) / f64::from(EVENLY))
-            .collect();
+        let place = |i: u32| 2.0 * f64::from(i) / f64::from(EVENLY) - 1.0;
+        let mut places: Vec<f64> = (0..=EVENLY).map(place).collect();
         for [left, right] in contact.solution().zones() {
             let half = 0.5 * (right - left);
             let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };

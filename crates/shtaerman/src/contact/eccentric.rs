@@ -88,7 +88,7 @@ impl Curve<'_> {
         let force = log.exp();
         let load =
             Load { vertical: Vertical::Force(force), rotational: Rotational::Eccentricity(self.e) };
-        let unit = self.problem.frame().scaling().map_or(1.0, Scaling::force);
+        let unit = self.problem.frame().unit(Scaling::force);
         let given = Load { vertical: Vertical::Force(force * unit), ..*self.problem.load() };
         let contact = self.problem.under(given).solve_as_given().ok()?;
         let [raise, _] = contact.solution().stiffness().displaced(&load, [1.0, 0.0]);
@@ -203,7 +203,7 @@ impl Curve<'_> {
         if self.is_clear() {
             return Error::NoContact;
         }
-        let unit = frame.scaling().map_or(1.0, Scaling::displacement);
+        let unit = frame.unit(Scaling::displacement);
         Error::SettlementOutOfReach {
             value: self.settlement * unit,
             eccentricity: self.e * frame.half_width(),

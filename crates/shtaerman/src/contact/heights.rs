@@ -1,5 +1,7 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
+use std::ops::Add;
+
 use super::accuracy::{Accuracy, OF_A_VALUE, Sizes};
 use super::iteration::GOLDEN;
 use super::setting::Setting;
@@ -42,7 +44,7 @@ impl Setting {
                 }
             }
         }
-        let scale = self.problem().frame().scaling().map_or(1.0, Scaling::displacement);
+        let scale = self.problem().frame().unit(Scaling::displacement);
         [rounding / scale, largest / scale]
     }
 
@@ -71,7 +73,7 @@ impl Setting {
                 }
             }
         }
-        most / self.problem().frame().scaling().map_or(1.0, Scaling::displacement)
+        most / self.problem().frame().unit(Scaling::displacement)
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
@@ -79,40 +81,17 @@ impl Setting {
         if error == 0.0 {
             return 0.0;
         }
-        let (zones, law) = (solution.zones(), self.problem().frame().law());
-        let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
-            let length = right - left;
+        let law = self.problem().frame().law();
+        at_ends(solution, |length, pressure| {
             let distance = |k: i32| length * 0.5f64.powi(k);
-            let layer = |k: i32| {
-                let (near, far) = (distance(k), length - distance(k));
-                let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
-                let p = solution.pressure_beside(zone, from_left, from_right);
-                law.displacement(p.max(0.0))
-            };
+            let layer = |k: i32| law.displacement(pressure(distance(k)).max(0.0));
             // From the middle towards the end while the layer is deeper than that.
             match (1..f64::MANTISSA_DIGITS as i32).take_while(|k| layer(*k) > error).last() {
                 None => length,
                 Some(k) if k + 1 < f64::MANTISSA_DIGITS as i32 => distance(k),
                 Some(k) => distance(k) * error / layer(k),
             }
-        };
-        let ends = zones.iter().enumerate();
-        ends.flat_map(|(zone, ends)| [of(zone, *ends, 0), of(zone, *ends, 1)]).fold(0.0, f64::max)
-    }
-
-    /// How far the edges of a smooth contact move for a settlement that adds `mean` to the mean pressure: by what a flat punch adds there over what the pressure gains inwards.
-    fn edges_of_settlement(&self, solution: &dyn Solution, mean: f64) -> f64 {
-        let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
-            let length = right - left;
-            let (near, far) = (AT_END * length, (1.0 - AT_END) * length);
-            let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
-            let p = solution.pressure_beside(zone, from_left, from_right);
-            let moved = 2.0 * mean * (length * near).sqrt() / p;
-            if p > 0.0 && moved.is_finite() { moved.min(length) } else { 0.0 }
-        };
-        let zones = solution.zones();
-        let ends = zones.iter().enumerate();
-        ends.flat_map(|(zone, ends)| [of(zone, *ends, 0), of(zone, *ends, 1)]).fold(0.0, f64::max)
+        })
     }
 
     /// Changes of settlement and `-alpha0` by the rounding of the moment without dimensions: a load next to an end of the base turns a narrow contact by it.
@@ -161,11 +140,11 @@ impl Setting {
                 };
                 let mean = force / zones.iter().map(measure).sum::<f64>();
                 let mean = if mean.is_finite() { mean } else { 0.0 };
-                let moved = if free { self.edges_of_settlement(solution, mean) } else { 0.0 };
+                let moved = if free { edges_of_settlement(solution, mean) } else { 0.0 };
                 (FLAT * mean, moved)
             }
             Law::Linear | Law::Power(_) => {
-                let kappa = if let Law::Power(exponent) = law { exponent } else { 1.0 };
+                let kappa = law.exponent().unwrap_or(1.0);
                 let steepness = solution.size().max(f64::MIN_POSITIVE).powf(1.0 - kappa) / kappa;
                 let at_ends = self.rounding_at_ends(&zones);
                 // A single place is disturbed by itself, which is half of what disturbances grow to.
@@ -176,21 +155,40 @@ impl Setting {
         };
         // Of a disturbance of the heights on its way to the tilt, in half-widths of the contact: at half or twice stated errors grow up to 1.8 times (survey).
         let turn = 2.0 * rounding / half.max(f64::MIN_POSITIVE);
-        // What is prescribed or zero by symmetry stays exact.
-        let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
-        let accuracy = Accuracy {
-            kind: known.kind,
-            pressure,
-            settlement: unless_exact(known.settlement, rounding + middle * turn + lowered.abs()),
-            tilt: unless_exact(known.tilt, turn + tilted.abs()),
-            force: unless_exact(known.force, force + (coupling * tilted).abs()),
-            moment: unless_exact(known.moment, (middle + half) * force),
-        };
+        let own = [
+            rounding + middle * turn + lowered.abs(),
+            turn + tilted.abs(),
+            force + (coupling * tilted).abs(),
+            (middle + half) * force,
+        ];
+        let accuracy = Accuracy { pressure, ..known.open(own, |_, own| own) };
         let sizes = solution.state().sizes(solution.size());
         // A settlement may be next to nothing where heights above and below cancel.
         let sizes = Sizes { displacement: sizes.displacement.max(height), ..sizes };
         Some(OfHeights { accuracy, sizes, edges })
     }
+}
+
+/// The largest of what is made at all ends of zones of the length of the zone and the pressure at a distance from its end.
+fn at_ends(solution: &dyn Solution, of: impl Fn(f64, &dyn Fn(f64) -> f64) -> f64) -> f64 {
+    let mut most = 0.0f64;
+    for (zone, [left, right]) in solution.zones().into_iter().enumerate() {
+        let length = right - left;
+        let from_left = |near: f64| solution.pressure_beside(zone, near, length - near);
+        let from_right = |near: f64| solution.pressure_beside(zone, length - near, near);
+        most = most.max(of(length, &from_left)).max(of(length, &from_right));
+    }
+    most
+}
+
+/// How far the edges of a smooth contact move for a settlement that adds `mean` to the mean pressure: by what a flat punch adds there over what the pressure gains inwards.
+fn edges_of_settlement(solution: &dyn Solution, mean: f64) -> f64 {
+    at_ends(solution, |length, pressure| {
+        let near = AT_END * length;
+        let p = pressure(near);
+        let moved = 2.0 * mean * (length * near).sqrt() / p;
+        if p > 0.0 && moved.is_finite() { moved.min(length) } else { 0.0 }
+    })
 }
 
 impl OfHeights {
@@ -221,9 +219,7 @@ impl OfHeights {
 impl Accuracy {
     /// With the rounding of a level that is added to the settlement.
     pub(crate) fn with_level(self, level: f64) -> Self {
-        let known = self.settlement;
-        let settlement = if known == 0.0 { 0.0 } else { known + OF_A_VALUE * level.abs() };
-        Self { settlement, ..self }
+        self.open([OF_A_VALUE * level.abs(), 0.0, 0.0, 0.0], f64::add)
     }
 }
 

@@ -6,7 +6,7 @@ use super::Contact;
 use super::companion::companion;
 use super::setting::Setting;
 use crate::roughness::Law;
-use crate::{Geometry, Problem, Roughness, Scaling};
+use crate::{Geometry, Problem, Scaling};
 
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
@@ -64,7 +64,7 @@ impl Contact {
 
 /// The corner intensities of the smooth companion.
 fn without_roughness(problem: &Problem) -> Option<Vec<[f64; 2]>> {
-    let companion = companion(problem, Roughness::Smooth)?;
+    let companion = companion(problem)?;
     // Within a time of its own.
     let timed = companion.timed().unwrap_or(companion);
     let found = Setting::new(&timed).without_layer().ok();

@@ -1,5 +1,7 @@
 //! Sets of intervals.
 
+use super::steps::BESIDE;
+
 /// Intervals shorter than this share of the longest are none (survey).
 pub(super) const SLIVER: f64 = 1e-9;
 
@@ -16,6 +18,16 @@ pub(super) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     let longest = joined.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
     joined.retain(|[left, right]| right - left > SLIVER * longest);
     joined
+}
+
+/// The middle of the longest gap of a wave that is one with its images; none where all of it touches.
+pub(super) fn longest_gap(intervals: &[[f64; 2]]) -> Option<f64> {
+    let [.., last] = intervals else { return None };
+    let mut before = last[1] - 2.0;
+    let gaps =
+        intervals.iter().map(|[left, right]| [std::mem::replace(&mut before, *right), *left]);
+    let longest = gaps.max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])))?;
+    (longest[1] - longest[0] > BESIDE).then(|| 0.5 * (longest[0] + longest[1]))
 }
 
 #[cfg(test)]

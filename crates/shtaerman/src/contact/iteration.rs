@@ -5,7 +5,7 @@ pub(super) const STEPS: usize = 120;
 /// A step of Newton's method that makes things worse is halved so often: with fewer than a 4096th of it left it leads nowhere.
 pub(super) const CUTS: usize = 12;
 /// `(sqrt(5) - 1)/2`: it divides an interval so that one of two places inside serves again. Its multiples never fall in with a wave.
-pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
+pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A place and a value there.
 pub(super) type Point = (f64, f64);

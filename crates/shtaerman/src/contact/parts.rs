@@ -77,10 +77,9 @@ impl Problem {
         let parts = Parts { joints: found.joints, smoothness };
         if smoothness == Smoothness::Proved && parts.are_many() && are_alike(&parts.joints) {
             // Waves all over the base are seen by samples, and need no cuts of their own.
-            let mut joints = self.profile().breakpoints(self.frame().half_width());
-            joints.extend(found.singular.iter().filter(|at| parts.joints.contains(at)));
-            joints.sort_by(f64::total_cmp);
-            joints.dedup();
+            let singular = found.singular.into_iter().filter(|at| parts.joints.contains(at));
+            let joints = self.profile().breakpoints(self.frame().half_width());
+            let joints = crate::order::ascending(joints.into_iter().chain(singular));
             return Parts { joints, smoothness: Smoothness::Bent };
         }
         parts

@@ -4,7 +4,6 @@ use shtaerman_audit::{Ground, Kernel};
 
 use super::accuracy::OF_A_VALUE;
 use super::unaudited::Unaudited;
-use crate::roughness::Law;
 use crate::{Geometry, Layering, Problem, Vertical};
 
 /// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
@@ -35,14 +34,10 @@ pub(super) fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
             "the profile is a closure, of which nothing is known between samples",
         ));
     }
-    let layer = match frame.law() {
-        Law::Linear => 1.0,
-        Law::Power(exponent) => exponent,
-        Law::Smooth => {
-            return Err(Unaudited::NotCovered(
-                "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
-            ));
-        }
+    let Some(layer) = frame.law().exponent() else {
+        return Err(Unaudited::NotCovered(
+            "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
+        ));
     };
     if let Some(layering) = frame.layering() {
         return layered(problem, &layering.clone().scaled(frame.half_width()), layer);

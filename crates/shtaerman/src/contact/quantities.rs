@@ -216,13 +216,9 @@ impl Contact {
     /// The errors of the answer, where the method tells them: those of the [audit](Self::audited) once it was made.
     #[must_use]
     pub fn error(&self) -> Option<Errors> {
-        let Accuracy { kind, pressure, settlement, tilt, force, moment } = *self.accuracy()?;
-        let load = self.problem().load();
-        let by_force = matches!(load.vertical, Vertical::Force(_));
-        let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
-        let by_moment = matches!(load.rotational, Rotational::Moment(_));
+        let open = self.accuracy()?.under(self.problem().load());
+        let Accuracy { kind, pressure, settlement, tilt, force, moment } = open;
         let scaled = |unit: fn(&Scaling) -> f64, error: f64| error * self.scale(unit);
-        let unless = |prescribed: bool, error: f64| if prescribed { 0.0 } else { error };
         let stiffness = self.solution().stiffness_error();
         let stiffness =
             stiffness.map(|error| self.in_units(self.stiffness_by(error, f64::NAN)).matrix());
@@ -230,10 +226,10 @@ impl Contact {
             kind,
             pressure: scaled(Scaling::pressure, pressure),
             peak_pressure: self.peak_error().map(|error| scaled(Scaling::pressure, error)),
-            settlement: unless(!by_force, scaled(Scaling::displacement, settlement)),
-            tilt: unless(by_tilt, scaled(Scaling::angle, tilt)),
-            force: unless(by_force, scaled(Scaling::force, force)),
-            moment: unless(by_moment, scaled(Scaling::moment, moment)),
+            settlement: scaled(Scaling::displacement, settlement),
+            tilt: scaled(Scaling::angle, tilt),
+            force: scaled(Scaling::force, force),
+            moment: scaled(Scaling::moment, moment),
             zones: self.zones_error().map(|error| scaled(Scaling::half_width, error)),
             stiffness,
         })

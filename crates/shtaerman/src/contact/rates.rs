@@ -1,7 +1,7 @@
 //! How a solution changes to first order with the body and the load.
 
 use super::stiffness::Stiffness;
-use crate::{Load, Rotational, Vertical};
+use crate::{Load, Rotational};
 
 /// Rates of settlement, force, tilt, largest pressure and width of contact, without dimensions.
 pub(crate) type Rates = [f64; 5];
@@ -43,14 +43,7 @@ pub(super) fn smooth_rates(
     [force, pressure]: [f64; 2],
     [vertical, rotational]: [Rates; 2],
 ) -> [Rates; 3] {
-    let forced = match load.vertical {
-        Vertical::Force(force) => force,
-        Vertical::Settlement(_) => 0.0,
-    };
-    let turned = match load.rotational {
-        Rotational::Moment(moment) => moment,
-        Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
-    };
+    let [forced, turned] = load.forces();
     let own = [0.0, force, 0.0, pressure, 0.0];
     let body = std::array::from_fn(|k| forced * vertical[k] + turned * rotational[k] - own[k]);
     [body, vertical, rotational]

@@ -9,8 +9,8 @@ use super::accuracy::{Accuracy, ErrorKind, ROUNDING, SAFETY, Sizes};
 use super::balance::State;
 use super::parts::Smoothness;
 use super::zones::Zone;
+use crate::Load;
 use crate::solver::AIM;
-use crate::{Load, Rotational, Vertical};
 
 /// Differences that fall by less have not begun to (survey).
 pub(super) const SLOW: f64 = 0.25;
@@ -80,17 +80,16 @@ impl Trust {
         // Of two that belong together one may agree by chance.
         let displaced = of(|change| change.settlement.max(change.tilt), sizes.displacement, 1.0);
         let carried = of(|change| change.force.max(change.moment), sizes.force, length);
-        let unless = |is_given: bool, error: f64| if is_given { 0.0 } else { error };
         let accuracy = Accuracy {
             kind: ErrorKind::Estimate,
             pressure: self.left([before.pressure, change.pressure], sizes.pressure),
-            settlement: unless(matches!(load.vertical, Vertical::Settlement(_)), displaced),
-            tilt: unless(matches!(load.rotational, Rotational::Tilt(_)), displaced),
-            force: unless(matches!(load.vertical, Vertical::Force(_)), carried),
-            moment: unless(matches!(load.rotational, Rotational::Moment(_)), carried),
+            settlement: displaced,
+            tilt: displaced,
+            force: carried,
+            moment: carried,
         };
         let edge = of(|change| change.edge, 1.0, length / sizes.pressure.max(f64::MIN_POSITIVE));
-        (accuracy, edge)
+        (accuracy.under(&load), edge)
     }
 
     /// From two differences of the pressure between all nodes, and its rounding.

@@ -45,9 +45,14 @@ impl Problem {
     /// Those of [`Problem::solve`].
     pub fn solve_or_best(&self) -> Result<Contact, Error> {
         let Some(timed) = self.timed() else { return self.solve_at_level() };
-        let found = timed.solve_at_level();
-        let is_past = timed.deadline().is_past();
-        timed.deadline().lift();
+        timed.ended(Self::solve_at_level)
+    }
+
+    /// What is found within the time of a problem that has one, which ends with it.
+    fn ended(&self, found: impl FnOnce(&Self) -> Result<Contact, Error>) -> Result<Contact, Error> {
+        let found = found(self);
+        let is_past = self.deadline().is_past();
+        self.deadline().lift();
         let limit = self.solver().time_limit().unwrap_or_default();
         // What the end of the time made of the search.
         found.map_err(|error| if is_past { Error::TimeLimit { limit } } else { error })
@@ -58,24 +63,14 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::solve`].
     pub fn solve_unless(&self, stop: &Arc<AtomicBool>) -> Option<Result<Contact, Error>> {
-        let stoppable = self.stopped_by(stop);
-        let found = stoppable.solve();
-        let (is_past, is_stopped) = (stoppable.deadline().is_past(), stop.load(Ordering::Relaxed));
-        stoppable.deadline().lift();
-        match found {
-            Err(_) if is_stopped => None,
-            Err(_) if is_past => {
-                let limit = self.solver().time_limit().unwrap_or_default();
-                Some(Err(Error::TimeLimit { limit }))
-            }
-            found => Some(found),
-        }
+        let found = self.stopped_by(stop).ended(Self::solve);
+        Some(found).filter(|found| found.is_ok() || !stop.load(Ordering::Relaxed))
     }
 
     /// The solution with heights counted from the level of the base, and put back there.
     fn solve_at_level(&self) -> Result<Contact, Error> {
         let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
-        let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
+        let level0 = level / self.frame().unit(Scaling::displacement);
         match lowered.solve_as_given() {
             Ok(contact) => Ok(contact.with_level(self, level0)),
             Err(error) => Err(error.with_level(level, level0)),
@@ -105,7 +100,7 @@ impl Problem {
         let of_heights = setting.of_heights(found.solution.as_ref());
         let contact = Contact::new(setting, found, of_heights)?;
         let [displacement, pressure] = [Scaling::displacement, Scaling::pressure]
-            .map(|unit: fn(&Scaling) -> f64| self.frame().scaling().map_or(1.0, unit));
+            .map(|unit: fn(&Scaling) -> f64| self.frame().unit(unit));
         Ok((contact.with_level(self, level / displacement), edge * pressure))
     }
 }

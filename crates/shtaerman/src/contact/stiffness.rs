@@ -1,6 +1,6 @@
 //! The tangent stiffness.
 
-use crate::{Load, Rotational, Scaling, Vertical};
+use crate::{Error, Load, Rotational, Scaling, Vertical};
 
 /// The tangent stiffness `d(P, M)/d(delta, -alpha)`, symmetric positive definite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,4 +54,18 @@ pub(super) fn cramer([row1, row2]: [[f64; 2]; 2], [right1, right2]: [f64; 2]) ->
         (right1 * row2[1] - row1[1] * right2) / determinant,
         (row1[0] * right2 - right1 * row2[0]) / determinant,
     ]
+}
+
+/// That the solution of equations with this parameter is one.
+///
+/// # Errors
+/// [`Error::Equation`] for what is not finite.
+pub(super) fn require_solved(
+    found: impl IntoIterator<Item = f64>,
+    parameter: f64,
+) -> Result<(), Error> {
+    if found.into_iter().all(f64::is_finite) {
+        return Ok(());
+    }
+    Err(Error::Equation(fredholm::Error::Singular { parameter, smallest: 0.0 }))
 }

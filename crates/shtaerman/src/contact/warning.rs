@@ -94,6 +94,15 @@ fn position(frame: &Frame, units: &OutputUnits, xi: f64) -> String {
     }
 }
 
+/// Places as a sentence has them, and how many more there are of what they are.
+fn listed<T>(all: &[T], what: &str, told: impl Fn(&T) -> String) -> String {
+    let mut places: Vec<String> = all.iter().take(MOST_PLACES).map(told).collect();
+    if all.len() > MOST_PLACES {
+        places.push(format!("{} more {what}", all.len() - MOST_PLACES));
+    }
+    places.join(" and ")
+}
+
 impl Contact {
     /// What is warned of with places.
     pub(super) const PLACED: [WarningCode; 3] =
@@ -146,15 +155,11 @@ impl Warning {
         }
         let shown = |xi: f64| position(frame, units, xi);
         let variable = frame.coordinate();
-        let mut places: Vec<String> = (tension.iter().take(MOST_PLACES))
-            .map(|[left, right]| format!("{variable} = {} to {}", shown(*left), shown(*right)))
-            .collect();
-        if let Some(more) = tension.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
-            places.push(format!("{more} more intervals"));
-        }
+        let places = listed(tension, "intervals", |[left, right]| {
+            format!("{variable} = {} to {}", shown(*left), shown(*right))
+        });
         let message = format!(
-            "the pressure is negative at {}: a bilateral answer that pulls there; a real punch would lift off",
-            places.join(" and ")
+            "the pressure is negative at {places}: a bilateral answer that pulls there; a real punch would lift off"
         );
         Some(Self { code: WarningCode::NegativePressure, message })
     }
@@ -172,16 +177,10 @@ impl Warning {
             Some(_) => frame.corner_unit(),
             None => DisplayUnit::NUMBER,
         };
-        let places: Vec<String> = (corners.iter().take(MOST_PLACES))
-            .map(|(xi, k)| {
-                let at = match frame.scaling() {
-                    Some(_) => units.shown(xi * frame.half_width(), Measure::Length),
-                    None => engineering(xi * frame.half_width(), Dimension::NONE),
-                };
-                let k = engineering(*k, intensity.clone());
-                format!("{} = {at} (K = {k})", frame.coordinate())
-            })
-            .collect();
+        let places = listed(corners, "corners", |(xi, k)| {
+            let k = engineering(*k, intensity.clone());
+            format!("{} = {} (K = {k})", frame.coordinate(), position(frame, units, *xi))
+        });
         let meaning = if frame.grading().is_some() {
             let beta = engineering(frame.corner_exponent(), Dimension::NONE);
             format!("K = lim sqrt(2 pi) d^{beta} p at the distance d")
@@ -190,8 +189,7 @@ impl Warning {
                 .to_owned()
         };
         let message = format!(
-            "the pressure of a smooth surface is infinite at the corner {}, {meaning}",
-            places.join(" and ")
+            "the pressure of a smooth surface is infinite at the corner {places}, {meaning}"
         );
         Some(Self { code: WarningCode::SingularEdge, message })
     }
@@ -206,19 +204,15 @@ impl Warning {
         if kinks.is_empty() {
             return None;
         }
-        let mut places: Vec<String> = (kinks.iter().take(MOST_PLACES))
-            .map(|kink| format!("{} = {}", frame.coordinate(), position(frame, units, kink.xi)))
-            .collect();
-        if let Some(more) = kinks.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
-            places.push(format!("{more} more places"));
-        }
+        let places = listed(&kinks, "places", |kink| {
+            format!("{} = {}", frame.coordinate(), position(frame, units, kink.xi))
+        });
         let growth = match kinks.iter().any(|kink| kink.is_cusp) {
             true => "as a power of the distance where the base has a cusp, else as its logarithm",
             false => "as the logarithm of the distance",
         };
         let message = format!(
-            "the pressure of a smooth surface is infinite under the kink of the base at {}, {growth}: a roughness or a radius there makes it finite",
-            places.join(" and ")
+            "the pressure of a smooth surface is infinite under the kink of the base at {places}, {growth}: a roughness or a radius there makes it finite"
         );
         Some(Self { code: WarningCode::SingularKink, message })
     }
@@ -343,5 +337,7 @@ mod tests {
             assert!(warning.message.contains(said), "{}", warning.message);
         }
         assert_eq!(Warning::negative_pressure(&bare, &units, &[]), None);
+        let corners = Warning::singular_edge(&bare, &units, &[(0.5, 1.0); 8]).unwrap().message;
+        assert!(corners.contains("xi = 0.5 (K = 1) and 2 more corners, K"), "{corners}");
     }
 }

@@ -85,14 +85,8 @@ impl Zone {
     }
 
     /// The panels into which breakpoints cut the zone.
-    pub(super) fn panels(&self, breaks: &[f64]) -> Vec<(f64, f64)> {
-        // A piece of rounding's length has no inside.
-        let apart = 1e-13 * self.length() + 4.0 * f64::EPSILON;
-        let inside = |at: &&f64| **at > self.left() + apart && **at < self.right() - apart;
-        let mut cuts = vec![self.left()];
-        cuts.extend(breaks.iter().filter(inside));
-        cuts.push(self.right());
-        cuts.windows(2).map(|pair| (pair[0], pair[1])).collect()
+    pub(super) fn panels(&self, breaks: &[f64]) -> Vec<[f64; 2]> {
+        crate::order::panels(self.ends, breaks)
     }
 
     /// What is left of the zone without the intervals where the pressure pulls.
@@ -291,7 +285,7 @@ mod tests {
     #[test]
     fn breakpoints_cut_zones() {
         let zone = Zone::within(-0.5, 0.5);
-        assert_eq!(zone.panels(&[-0.7, 0.0, 0.5]), [(-0.5, 0.0), (0.0, 0.5)]);
+        assert_eq!(zone.panels(&[-0.7, 0.0, 0.5]), [[-0.5, 0.0], [0.0, 0.5]]);
     }
 
     #[test]

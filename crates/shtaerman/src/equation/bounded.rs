@@ -150,8 +150,7 @@ impl SolvedEquation<'_> {
             let mirrored: Vec<f64> = cuts.iter().map(|cut| -cut).collect();
             cuts.extend(mirrored);
         }
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = crate::order::ascending(cuts);
         let problem = Problem {
             kernel: posed.kernel,
             theta: posed.theta,

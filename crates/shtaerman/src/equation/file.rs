@@ -90,17 +90,13 @@ fn read(document: &Document) -> Result<Equation, Error> {
         };
         return Err(fault.with_help(help).into());
     }
-    let equation = reader.required("equation").map_err(|error| {
-        let help = "add these lines, with values of your own:\n[equation]\nkind = \"second\"\nlambda = 1.0\nrhs = \"1 + x\"";
-        if error.help().is_some() { error } else { error.with_help(help) }
-    })?;
+    let help = "add these lines, with values of your own:\n[equation]\nkind = \"second\"\nlambda = 1.0\nrhs = \"1 + x\"";
+    let equation = reader.required("equation").map_err(or_help(help))?;
     let table = equation.table()?;
     let kind = kind(&table)?;
     let rhs = right_hand_side(&table)?;
-    let kernel_field = reader.required("kernel").map_err(|error| {
-        let help = "add these lines, with values of your own:\n[kernel]\nname = \"log\"\na = 1.0";
-        if error.help().is_some() { error } else { error.with_help(help) }
-    })?;
+    let help = "add these lines, with values of your own:\n[kernel]\nname = \"log\"\na = 1.0";
+    let kernel_field = reader.required("kernel").map_err(or_help(help))?;
     let kernel = kernel(&kernel_field.table()?)?;
     let solver = match reader.table("solver")? {
         Some(table) => solver(&table, kind)?,
@@ -114,10 +110,8 @@ fn kind(table: &TableReader<'_>) -> Result<Kind, FileError> {
     let is_second = table.required("kind")?.one_of(&["second", "first"])? == "second";
     let written = table.optional("lambda");
     if is_second {
-        let field = table.required("lambda").map_err(|error| {
-            let help = "phi + lambda int K phi = rhs; without phi in front the equation is of kind = \"first\"";
-            if error.help().is_some() { error } else { error.with_help(help) }
-        })?;
+        let help = "phi + lambda int K phi = rhs; without phi in front the equation is of kind = \"first\"";
+        let field = table.required("lambda").map_err(or_help(help))?;
         return Ok(Kind::Second { lambda: plain(&field)? });
     }
     match written {
@@ -128,33 +122,25 @@ fn kind(table: &TableReader<'_>) -> Result<Kind, FileError> {
     }
 }
 
+/// A fault with this help where it has none of its own.
+fn or_help(help: &str) -> impl Fn(FileError) -> FileError {
+    move |error| if error.help().is_some() { error } else { error.with_help(help) }
+}
+
 /// A number without a unit.
 fn plain(field: &Field<'_>) -> Result<f64, FileError> {
-    field.number().map_err(|error| {
-        if field.is_string() && error.help().is_none() {
-            error.with_help(
-                "the equation has no dimensions: write a number, without quotes and unit",
-            )
-        } else {
-            error
-        }
-    })
+    let help = "the equation has no dimensions: write a number, without quotes and unit";
+    field.number().map_err(|error| if field.is_string() { or_help(help)(error) } else { error })
 }
 
 /// A formula in `x`; a bare number is a constant.
 fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
     let field = table.required("rhs")?;
     let constant = field.number().ok().map(quantity::plain);
-    let text = match &constant {
-        Some(text) => text,
-        None => field.string()?,
-    };
+    let text = if let Some(text) = &constant { text } else { field.string()? };
     Expression::parse(text, &[Equation::VARIABLE]).map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
-        match error.help() {
-            Some(help) => fault.with_help(help),
-            None => fault,
-        }
+        if let Some(help) = error.help() { fault.with_help(help) } else { fault }
     })
 }
 
@@ -172,10 +158,8 @@ fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
     }
     let fields = (family.parameters.iter())
         .map(|parameter| {
-            let field = table.required(parameter.name).map_err(|error| {
-                let help = format!("kernel {} takes {}", family.title(), family.signature());
-                if error.help().is_some() { error } else { error.with_help(help) }
-            })?;
+            let help = format!("kernel {} takes {}", family.title(), family.signature());
+            let field = table.required(parameter.name).map_err(or_help(&help))?;
             let value = match parameter.name {
                 // An angle may be in degrees.
                 "alpha" => field.quantity(Dimension::NONE)?,
@@ -194,10 +178,7 @@ fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
                 Some((field, _)) => field.error(message),
                 None => table.error(format!("{parameter} {message}")),
             };
-            match help {
-                Some(help) => fault.with_help(help),
-                None => fault,
-            }
+            if let Some(help) = help { fault.with_help(help) } else { fault }
         }
         other => table.error(other),
     })

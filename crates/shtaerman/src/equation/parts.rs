@@ -38,11 +38,9 @@ impl Parts {
         };
         let found = profile.resolve(&[piece], half_width, DEGREE, TOLERANCE);
         let place = |xi: f64| (half_width * xi).clamp(left, right);
-        let singular = found.singular.iter();
-        let mut cuts: Vec<f64> = found.joints.iter().chain(singular).map(|xi| place(*xi)).collect();
-        cuts.extend(found.unresolved.iter().flatten().map(|xi| place(*xi)));
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = found.joints.iter().chain(&found.singular);
+        let cuts = cuts.chain(found.unresolved.iter().flatten()).map(|xi| place(*xi));
+        let cuts = crate::order::ascending(cuts);
         let unproved = found.unresolved.iter().map(|ends| ends.map(place)).collect();
         Self { cuts, unproved }
     }

@@ -67,10 +67,9 @@ pub(super) fn on_foundation(
 /// A dimensionless problem on the layer that its table says, lengths in half-widths; `poisson_ratio` is asked for by a bonded one.
 pub(super) fn dimensionless(table: &TableReader<'_>, stated: Stated) -> Result<Stated, FileError> {
     let poisson_ratio = || table.required("poisson_ratio")?.number();
-    match layer(table, poisson_ratio, Field::number)? {
-        None => Ok(stated),
-        Some((field, layering)) => stated.on(layering).map_err(|error| refused(&field, &error)),
-    }
+    let layer = layer(table, poisson_ratio, Field::number)?;
+    let Some((field, layering)) = layer else { return Ok(stated) };
+    stated.on(layering).map_err(|error| refused(&field, &error))
 }
 
 /// Whether the table says a bonded layer, which needs Poisson's ratio.
@@ -86,10 +85,8 @@ fn layer<'d>(
 ) -> Result<Option<(Field<'d>, Layering)>, FileError> {
     let base = table.optional("base");
     let Some(field) = table.optional("thickness") else {
-        return match base {
-            Some(base) => Err(base.error("goes with thickness: a layer that lies on a rigid base")),
-            None => Ok(None),
-        };
+        let message = "goes with thickness: a layer that lies on a rigid base";
+        return base.map_or(Ok(None), |base| Err(base.error(message)));
     };
     let base = base.ok_or_else(|| {
         field

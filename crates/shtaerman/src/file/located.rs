@@ -68,10 +68,7 @@ impl ProblemFile {
     /// The fault of a text that is no document, with all the lines that it lacks where it has none.
     #[must_use]
     pub fn explained(error: FileError, bytes: &[u8]) -> FileError {
-        match bytes.iter().all(u8::is_ascii_whitespace) {
-            true => error.with_help(whole()),
-            false => error,
-        }
+        if bytes.iter().all(u8::is_ascii_whitespace) { error.with_help(whole()) } else { error }
     }
 
     /// Reads a problem from a document with its overrides; `folder` is where a measured profile is looked for.

@@ -31,10 +31,7 @@ fn stated(
     body: Option<Elastic>,
 ) -> Result<Stated, Error> {
     let punch = Punch::in_geometry(geometry, half_width)?;
-    let punch = match body {
-        Some(body) => punch.with_body(body),
-        None => punch,
-    };
+    let punch = if let Some(body) = body { punch.with_body(body) } else { punch };
     Stated::new(foundation.with_roughness(roughness)?, punch)
 }
 

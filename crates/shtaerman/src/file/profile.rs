@@ -56,10 +56,7 @@ impl ReadProfile<'_> {
 /// A formula; a bare number is a constant, so that `--set punch.profile=0` needs no quotes within quotes.
 fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
     let constant = field.number().ok().map(|value| format!("{value:e}"));
-    let text = match &constant {
-        Some(text) => text,
-        None => field.string()?,
-    };
+    let text = if let Some(text) = &constant { text } else { field.string()? };
     let parsed =
         if frame.is_circular() { Profile::radial(text) } else { Profile::expression(text) };
     parsed.map_err(|error| {

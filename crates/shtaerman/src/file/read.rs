@@ -28,7 +28,9 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Er
     }
     let reader = document.reader();
     let solver = solver::read(&reader)?;
-    let read = if let Some(table) = reader.table("dimensionless")? {
+    let table = reader.table("dimensionless")?;
+    let is_bare = table.is_some();
+    let (stated, punch) = if let Some(table) = table {
         for name in ["foundation", "punch", "load", "body"] {
             if let Some(field) = reader.optional(name) {
                 let message =
@@ -36,13 +38,7 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Er
                 return Err(field.error(message).into());
             }
         }
-        let stated = dimensionless(&table)?;
-        let mut profile = profile::read(&table, &stated.frame, folder)?;
-        let doubts = std::mem::take(&mut profile.doubts);
-        let load = load::read(&table, &stated.frame)?;
-        let units = output::read(&reader, &stated.frame)?;
-        reader.finish()?;
-        ReadProblem { problem: profile.problem(stated, load, solver)?, units, doubts }
+        (dimensionless(&table)?, table)
     } else {
         if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
             let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
@@ -52,17 +48,17 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Er
                 .with_help(help)
                 .into());
         }
-        let stated = physical::read(&reader)?;
-        let punch = section::required(&reader, "punch")?;
-        let mut profile = profile::read(&punch, &stated.frame, folder)?;
-        let doubts = std::mem::take(&mut profile.doubts);
-        let load = load::read(&section::required(&reader, "load")?, &stated.frame)?;
-        let units = output::read(&reader, &stated.frame)?;
-        reader.finish()?;
-        ReadProblem { problem: profile.problem(stated, load, solver)?, units, doubts }
+        (physical::read(&reader)?, section::required(&reader, "punch")?)
     };
-    read.problem.check_balance()?;
-    Ok(read)
+    let mut profile = profile::read(&punch, &stated.frame, folder)?;
+    let doubts = std::mem::take(&mut profile.doubts);
+    let load = if is_bare { punch } else { section::required(&reader, "load")? };
+    let load = load::read(&load, &stated.frame)?;
+    let units = output::read(&reader, &stated.frame)?;
+    reader.finish()?;
+    let problem = profile.problem(stated, load, solver)?;
+    problem.check_balance()?;
+    Ok(ReadProblem { problem, units, doubts })
 }
 
 /// The foundation and the flat punch of `[dimensionless]`, with their frame.

@@ -38,12 +38,7 @@ pub(super) fn settlement(contact: &Contact, datum: Option<Datum>) -> Result<f64,
 
 /// What goes with every force of a load: its tilt, or its eccentricity.
 pub(super) fn standing(contact: &Contact) -> Rotational {
-    match contact.problem().load().rotational() {
-        Rotational::Moment(moment) if moment != 0.0 => {
-            Rotational::Eccentricity(moment / contact.force())
-        }
-        other => other,
-    }
+    contact.problem().load().rotational.standing(contact.force())
 }
 
 /// What stays when the force of a contact changes by itself: its tilt, or its moment.

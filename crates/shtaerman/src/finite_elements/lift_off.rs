@@ -37,9 +37,8 @@ fn places(problem: &Problem) -> Vec<[f64; 2]> {
             marked.chain(profile.breakpoints(half_width)).filter(|xi| *xi > left && *xi < right),
         );
     }
-    places.sort_by(f64::total_cmp);
-    places.dedup();
-    places.into_iter().map(|xi| [xi * half_width, profile.height(xi, half_width)]).collect()
+    let places = crate::order::ascending(places).into_iter();
+    places.map(|xi| [xi * half_width, profile.height(xi, half_width)]).collect()
 }
 
 /// Where the line on which the base stands under a force at `at` is at `x = 0`.

@@ -2,8 +2,8 @@
 
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
+use crate::contact::iteration::GOLDEN;
 use crate::error::positive;
-use crate::roughness::Law;
 use crate::{Contact, Error, Problem, Profile, Scaling, Vertical};
 
 /// Curvatures tried first, as powers of ten of that which lifts the edges by what the load presses in: two a decade.
@@ -14,7 +14,6 @@ const SHARPEST: f64 = 24.0;
 const BETTER: f64 = 1e-10;
 /// Steps of the golden section: the last is far below what shows in the pressure.
 const GOLDEN_STEPS: usize = 64;
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Rounding of a peak pressure.
 const ROUNDING: f64 = 1e-13;
 
@@ -100,14 +99,8 @@ fn curvature(problem: &Problem) -> Result<f64, Error> {
     };
     positive("force", force)?;
     let frame = problem.frame();
-    let layer = match frame.law() {
-        Law::Smooth => 0.0,
-        Law::Linear => 0.5 * force,
-        Law::Power(exponent) => (0.5 * force).powf(exponent),
-    };
-    let given = frame.theta0() * force + layer;
-    let displacement = frame.scaling().map_or(1.0, Scaling::displacement);
-    Ok(2.0 * given * displacement / frame.half_width().powi(2))
+    let given = frame.theta0() * force + frame.law().displacement(0.5 * force);
+    Ok(2.0 * given * frame.unit(Scaling::displacement) / frame.half_width().powi(2))
 }
 
 /// Solves at curvatures `unit e^t`.

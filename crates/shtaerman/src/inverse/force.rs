@@ -27,7 +27,7 @@ pub fn force(problem: &Problem, goal: Goal) -> Result<Found, Error> {
     }
     let (start, rotational) = standing(problem)?;
     let posed = |force: f64| problem.with_load(Load::new(Vertical::Force(force), rotational)?);
-    let unit = problem.frame().scaling().map_or(1.0, Scaling::force);
+    let unit = problem.frame().unit(Scaling::force);
     let least = (start / REACH).max((LEAST * unit).min(start));
     Search { unknown: "force", goal, posed: &posed }
         .run(Range { start, ends: [least, start * REACH] })
@@ -42,9 +42,5 @@ fn standing(problem: &Problem) -> Result<(f64, Rotational), Error> {
     };
     let requirement = "greater than zero: the search begins there";
     crate::error::require(force.is_finite() && force > 0.0, "force", force, requirement)?;
-    let rotational = match load.rotational {
-        Rotational::Moment(moment) if moment != 0.0 => Rotational::Eccentricity(moment / force),
-        other => other,
-    };
-    Ok((force, rotational))
+    Ok((force, load.rotational.standing(force)))
 }

@@ -67,10 +67,7 @@ impl Goal {
 
     /// What it measures in this problem.
     pub(super) fn dimension_in(self, problem: &Problem) -> Dimension {
-        match problem.frame().scaling() {
-            Some(_) => self.dimension(),
-            None => Dimension::NONE,
-        }
+        if problem.frame().scaling().is_some() { self.dimension() } else { Dimension::NONE }
     }
 
     pub(super) fn check(self) -> Result<(), Error> {

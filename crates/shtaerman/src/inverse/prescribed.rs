@@ -10,7 +10,6 @@ use super::InverseError;
 use crate::expression::{Expression, Interval, Line};
 use crate::profile::VARIABLES;
 use crate::quantity::{Dimension, engineering};
-use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
 /// Nodes on either side of the middle of a panel, at first and at most.
@@ -132,10 +131,7 @@ impl<'p> Prescription<'p> {
     }
 
     fn panels(&self) -> Vec<[f64; 2]> {
-        let mut cuts = vec![-1.0];
-        cuts.extend(&self.breaks);
-        cuts.push(1.0);
-        cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        crate::order::parts([-1.0, 1.0], self.breaks.iter().copied())
     }
 
     fn largest(&self) -> f64 {
@@ -208,13 +204,9 @@ impl<'p> Prescription<'p> {
         let theta0 = frame.theta0();
         let law = frame.law();
         let depth = |xi: f64| {
-            let pressure = factor * self.value(xi);
-            let layer = match law {
-                Law::Smooth => 0.0,
-                Law::Linear => pressure,
-                Law::Power(exponent) => pressure.max(0.0).powf(exponent),
-            };
-            layer + theta0 * factor * solution.evaluate_potential(xi) + tilt * xi
+            law.displacement(factor * self.value(xi))
+                + theta0 * factor * solution.evaluate_potential(xi)
+                + tilt * xi
         };
         let places = self.places(count);
         let settlement = match normalisation {
@@ -223,8 +215,7 @@ impl<'p> Prescription<'p> {
                 places.iter().map(|&xi| depth(xi)).fold(f64::NEG_INFINITY, f64::max)
             }
         };
-        let scale = |unit: fn(&Scaling) -> f64| frame.scaling().map_or(1.0, unit);
-        let displacement = scale(Scaling::displacement);
+        let displacement = frame.unit(Scaling::displacement);
         Ok(Shaped {
             heights: places
                 .iter()
@@ -232,14 +223,14 @@ impl<'p> Prescription<'p> {
                 .collect(),
             pressures: places
                 .iter()
-                .map(|&xi| factor * self.value(xi) * scale(Scaling::pressure))
+                .map(|&xi| factor * self.value(xi) * frame.unit(Scaling::pressure))
                 .collect(),
             places: places.iter().map(|xi| xi * frame.half_width()).collect(),
             settlement: settlement * displacement,
-            tilt: tilt * scale(Scaling::angle),
-            force: self.force * scale(Scaling::force),
-            moment: moment * scale(Scaling::moment),
-            factor: factor * scale(Scaling::pressure),
+            tilt: tilt * frame.unit(Scaling::angle),
+            force: self.force * frame.unit(Scaling::force),
+            moment: moment * frame.unit(Scaling::moment),
+            factor: factor * frame.unit(Scaling::pressure),
             error: 2.0 * theta0 * factor.abs() * error * displacement,
         })
     }

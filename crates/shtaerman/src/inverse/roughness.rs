@@ -27,11 +27,8 @@ pub fn roughness(problem: &Problem, goal: Goal) -> Result<Found, Error> {
         let words = "a dimensionless problem has no roughness to be found: it is the scale of its displacements";
         return Err(InverseError::Unsuited(words).into());
     };
-    let (start, exponent) = match scaling.roughness() {
-        Roughness::Smooth => (None, 1.0),
-        Roughness::Linear { compliance } => (Some(compliance), 1.0),
-        Roughness::Power { coefficient, exponent } => (Some(coefficient), exponent),
-    };
+    let layer = scaling.roughness().coefficients();
+    let exponent = layer.map_or(1.0, |(_, exponent)| exponent);
     // B p^kappa = chi p at the mean pressure.
     let chi = scaling.half_width() / scaling.contact_modulus();
     let pressure = match problem.load().vertical {
@@ -40,7 +37,7 @@ pub fn roughness(problem: &Problem, goal: Goal) -> Result<Found, Error> {
     };
     let unit = chi * pressure.powf(1.0 - exponent);
     let ends = RANGE.map(|share| share * unit);
-    let start = start.unwrap_or(unit).clamp(ends[0], ends[1]);
+    let start = layer.map_or(unit, |(coefficient, _)| coefficient).clamp(ends[0], ends[1]);
     let posed = |coefficient: f64| problem.with_roughness(Roughness::power(coefficient, exponent)?);
     Search { unknown: "roughness", goal, posed: &posed }.run(Range { start, ends })
 }

@@ -96,6 +96,21 @@ pub struct Figure {
     pub reason: Option<Reason>,
 }
 
+impl Figure {
+    /// Given table, profile, `lambda0` and degree, and the figure as the paper computed it and as it is.
+    fn new(
+        (table, profile, lambda0, n): (u8, &'static str, &'static str, usize),
+        quantity: Quantity,
+        printed: &'static str,
+        [as_the_paper, exact]: [f64; 2],
+        reason: Reason,
+    ) -> Self {
+        let agrees = rounds_to(as_the_paper, printed);
+        let reason = (!rounds_to(exact, printed)).then_some(reason);
+        Self { table, profile, lambda0, quantity, printed, as_the_paper, exact, n, agrees, reason }
+    }
+}
+
 /// All printed figures.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Reproduction {
@@ -161,29 +176,18 @@ fn loaded_row(
         (PressureLeft, reading.pressure_as_printed(-1.0), exact.pressure(-1.0)),
         (PressureRight, reading.pressure_as_printed(1.0), exact.pressure(1.0)),
     ];
-    let figures =
-        pairs.into_iter().zip(&row[1..]).map(|((quantity, as_the_paper, exact), printed)| {
-            let misprinted = table.misprint.as_ref().is_some_and(|misprint| {
-                misprint.lambda0 == row[0] && misprint.column == quantity.symbol()
-            });
-            let reason = match quantity {
-                _ if misprinted => Reason::Misprint,
-                PressureLeft | PressureRight => Reason::PressureFormula,
-                _ => Reason::Truncation,
-            };
-            Figure {
-                table: number,
-                profile: &table.profile_over_lambda0,
-                lambda0: &row[0],
-                quantity,
-                printed,
-                as_the_paper,
-                exact,
-                n: reading.degree(),
-                agrees: rounds_to(as_the_paper, printed),
-                reason: (!rounds_to(exact, printed)).then_some(reason),
-            }
+    let figures = pairs.into_iter().zip(&row[1..]).map(|((quantity, computed, exact), printed)| {
+        let misprinted = table.misprint.as_ref().is_some_and(|misprint| {
+            misprint.lambda0 == row[0] && misprint.column == quantity.symbol()
         });
+        let reason = match quantity {
+            _ if misprinted => Reason::Misprint,
+            PressureLeft | PressureRight => Reason::PressureFormula,
+            _ => Reason::Truncation,
+        };
+        let of = (number, &*table.profile_over_lambda0, &*row[0], reading.degree());
+        Figure::new(of, quantity, printed, [computed, exact], reason)
+    });
     Ok(figures.collect())
 }
 
@@ -203,20 +207,10 @@ fn level_row(
         (Quantity::Settlement, settlement, true_settlement, Reason::Truncation),
         (Quantity::Moment, moment.abs(), true_moment, Reason::Sign),
     ];
+    let of = (3, &*half.profile_over_lambda0, lambda0, reading.degree());
     let figures =
-        pairs.into_iter().zip(printed).map(|((quantity, as_the_paper, exact, reason), printed)| {
-            Figure {
-                table: 3,
-                profile: &half.profile_over_lambda0,
-                lambda0,
-                quantity,
-                printed,
-                as_the_paper,
-                exact,
-                n: reading.degree(),
-                agrees: rounds_to(as_the_paper, printed),
-                reason: (!rounds_to(exact, printed)).then_some(reason),
-            }
+        pairs.into_iter().zip(printed).map(|((quantity, computed, exact, reason), printed)| {
+            Figure::new(of, quantity, printed, [computed, exact], reason)
         });
     Ok(figures.collect())
 }

@@ -1,9 +1,9 @@
 //! How far a profile is from its mirror image.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::base::{Profile, Shape, line};
+use super::waiting::Waiting;
 use crate::expression::{Expression, Interval, Line, Reflection};
 
 /// Pieces of a half that are looked at before any is divided, and divisions at most.
@@ -86,28 +86,6 @@ impl Profile {
     }
 }
 
-/// A piece of the right half with a bound of the difference there.
-#[derive(Debug, PartialEq)]
-struct Piece {
-    bound: f64,
-    range: Interval,
-}
-
-impl Eq for Piece {}
-
-impl PartialOrd for Piece {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Piece {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let places = || other.range.lower().total_cmp(&self.range.lower());
-        self.bound.total_cmp(&other.bound).then_with(places)
-    }
-}
-
 /// The search for the largest difference: always where it can be largest.
 struct Search<'e> {
     expression: &'e Expression,
@@ -119,9 +97,9 @@ impl Search<'_> {
     fn run(mut self) -> Unevenness {
         let cut = |i: usize| i as f64 / PIECES as f64;
         let pieces = (0..PIECES).filter_map(|i| self.piece(cut(i), cut(i + 1)));
-        let mut waiting: BinaryHeap<Piece> = pieces.collect();
+        let mut waiting: BinaryHeap<Waiting> = pieces.collect();
         for _ in 0..MOST_DIVISIONS {
-            let Some(Piece { bound, range }) = waiting.pop() else { break };
+            let Some(Waiting { rank: bound, part: range }) = waiting.pop() else { break };
             self.unevenness.at_most = bound.max(self.unevenness.found);
             if self.unevenness.is_negligible() {
                 break;
@@ -143,13 +121,14 @@ impl Search<'_> {
         self.expression.evaluate_at(&self.line, xi)
     }
 
-    fn piece(&self, left: f64, right: f64) -> Option<Piece> {
+    /// A piece of the right half with a bound of the difference there.
+    fn piece(&self, left: f64, right: f64) -> Option<Waiting> {
         let range = Interval::new(left, right)?;
         let here = self.expression.enclose_along(&self.line, range);
         let there = self.expression.enclose_along(&self.line, Interval::new(-right, -left)?);
         let (one, other) = (here.interval, there.interval);
         let apart = (one.upper() - other.lower()).max(other.upper() - one.lower());
         let is_known = here.is_finite() && there.is_finite();
-        Some(Piece { bound: if is_known { apart } else { f64::INFINITY }, range })
+        Some(Waiting { rank: if is_known { apart } else { f64::INFINITY }, part: range })
     }
 }

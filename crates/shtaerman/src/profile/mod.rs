@@ -10,6 +10,7 @@ mod measured;
 mod resolution;
 mod spline;
 mod trace;
+mod waiting;
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! Sensitivities by central differences of complete solves.
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use crate::frame::Frame;
 use crate::{Contact, Error, Problem, Roughness, Vertical};
 
 /// Relative step of the difference quotients; twice and four times it serve the extrapolation.
@@ -50,11 +51,7 @@ impl Contact {
     fn parameter(&self, parameter: Parameter) -> (f64, f64) {
         let frame = self.problem().frame();
         let value = match parameter {
-            Parameter::Roughness => match frame.scaling().map(crate::Scaling::roughness) {
-                Some(Roughness::Linear { compliance }) => compliance,
-                Some(Roughness::Power { coefficient, .. }) => coefficient,
-                Some(Roughness::Smooth) | None => 0.0,
-            },
+            Parameter::Roughness => layer(frame).map_or(0.0, |(coefficient, _)| coefficient),
             Parameter::YoungModulus => frame.stated_modulus(),
             Parameter::Theta0 => frame.theta0(),
             Parameter::Vertical => match self.problem().load().vertical {
@@ -79,18 +76,14 @@ impl Contact {
         let problem = self.problem();
         match parameter {
             Parameter::Roughness => {
-                let exponent = match problem.frame().scaling().map(crate::Scaling::roughness) {
-                    Some(Roughness::Power { exponent, .. }) => exponent,
-                    _ => 1.0,
-                };
+                let exponent = layer(problem.frame()).map_or(1.0, |(_, exponent)| exponent);
                 problem.with_roughness(Roughness::power(value, exponent)?)
             }
             Parameter::YoungModulus => problem.with_young_modulus(value),
             Parameter::Theta0 => problem.with_theta0(value),
-            Parameter::Vertical => problem.with_vertical(match problem.load().vertical {
-                Vertical::Force(_) => Vertical::Force(value),
-                Vertical::Settlement(_) => Vertical::Settlement(value),
-            }),
+            Parameter::Vertical => {
+                problem.with_vertical(problem.load().vertical.mapped(|_| value, |_| value))
+            }
         }
     }
 
@@ -113,6 +106,11 @@ impl Contact {
             (best, (best - fine).abs())
         }))
     }
+}
+
+/// `B` and `kappa` of a physical problem with a layer.
+fn layer(frame: &Frame) -> Option<(f64, f64)> {
+    frame.scaling()?.roughness().coefficients()
 }
 
 fn parameters(problem: &Problem) -> Vec<Parameter> {

@@ -43,11 +43,7 @@ impl Sensitivities {
         let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
         Self {
             kind: ErrorKind::Estimate,
-            held: match load.rotational {
-                Rotational::Moment(_) => "moment",
-                Rotational::Eccentricity(_) => "eccentricity",
-                Rotational::Tilt(_) => "tilt",
-            },
+            held: load.rotational.named().0,
             settlement: by_force.then_some(settlement),
             force: (!by_force).then_some(force),
             tilt: (!by_tilt).then_some(tilt),

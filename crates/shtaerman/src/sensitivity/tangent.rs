@@ -15,9 +15,10 @@
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
 use crate::contact::{Linearised, Rates};
 use crate::frame::Frame;
-use crate::{Contact, Law, Layering, Rotational, Roughness, Scaling, Vertical};
+use crate::{Contact, Layering, Scaling, Vertical};
 
-/// Force, pressure and width among the quantities followed.
+/// Settlement, force, pressure and width among the quantities followed.
+const SETTLEMENT: usize = 0;
 const FORCE: usize = 1;
 const PRESSURE: usize = 3;
 const WIDTH: usize = 4;
@@ -51,13 +52,12 @@ type Estimated = [f64; 2];
 /// What a contact is measured in.
 struct Units<'c> {
     contact: &'c Contact,
-    scaling: Option<&'c Scaling>,
     quantities: Values,
 }
 
 impl<'c> Units<'c> {
     fn new(contact: &'c Contact) -> Self {
-        let scaling = contact.problem().frame().scaling();
+        let frame = contact.problem().frame();
         let units: [fn(&Scaling) -> f64; QUANTITIES] = [
             Scaling::displacement,
             Scaling::force,
@@ -65,7 +65,7 @@ impl<'c> Units<'c> {
             Scaling::pressure,
             Scaling::half_width,
         ];
-        Self { contact, scaling, quantities: units.map(|unit| scaling.map_or(1.0, unit)) }
+        Self { contact, quantities: units.map(|unit| frame.unit(unit)) }
     }
 
     /// The derivatives of a quantity by all parameters.
@@ -78,12 +78,12 @@ impl<'c> Units<'c> {
             |scale: f64| [found.rates[1][k], found.errors[1][k]].map(|part| unit / scale * part);
         let at = match load.vertical {
             Vertical::Force(force) => {
-                let by = vertical(self.scale(Scaling::force));
+                let by = vertical(self.quantities[FORCE]);
                 slot.force = Some(by[0]);
                 by.map(|part| part * force)
             }
             Vertical::Settlement(settlement) => {
-                let by = vertical(self.scale(Scaling::displacement));
+                let by = vertical(self.quantities[SETTLEMENT]);
                 slot.settlement = Some(by[0]);
                 by.map(|part| part * settlement)
             }
@@ -100,7 +100,7 @@ impl<'c> Units<'c> {
                 let modulus = self.contact.problem().frame().stated_modulus();
                 slot.young_modulus = Some(-share * body[0] / modulus);
                 elasticities.push(body.map(|part| share * part));
-                if let Some((coefficient, exponent)) = law(scaling.roughness()) {
+                if let Some((coefficient, exponent)) = scaling.roughness().coefficients() {
                     let layer = self.by_layer(k, found, value, body, exponent);
                     slot.roughness = Some(layer[0] / coefficient);
                     elasticities.push(layer);
@@ -126,7 +126,7 @@ impl<'c> Units<'c> {
         body: Estimated,
         exponent: f64,
     ) -> Estimated {
-        let [vertical, rotational] = self.forces();
+        let [vertical, rotational] = self.contact.problem().dimensionless_load().forces();
         let of = |rates: &[Rates; 3]| vertical * rates[1][k] + rotational * rates[2][k];
         let sizes = found.errors.map(|rates| rates.map(f64::abs));
         let unit = self.quantities[k];
@@ -138,16 +138,14 @@ impl<'c> Units<'c> {
 
     /// By the logarithm of the scale of the profile.
     fn by_profile(&self, k: usize, found: &Linearised, value: f64, body: Estimated) -> Estimated {
-        let exponent = match self.contact.problem().foundation().law() {
-            Law::Power(exponent) => exponent,
-            Law::Linear | Law::Smooth => 1.0,
-        };
+        let exponent = self.contact.problem().foundation().law().exponent().unwrap_or(1.0);
         let unit = self.quantities[k];
         let sum = |[vertical, rotational]: [f64; 2], rates: &[Rates; 3]| {
             unit * (vertical * rates[1][k] + rotational * rates[2][k])
         };
         let sizes = found.errors.map(|rates| rates.map(f64::abs));
-        let (forces, displacements) = (self.forces(), self.displacements());
+        let load = self.contact.problem().dimensionless_load();
+        let (forces, displacements) = (load.forces(), load.displacements());
         let weight = match k {
             FORCE | PRESSURE => 1.0,
             WIDTH => 0.0,
@@ -159,46 +157,5 @@ impl<'c> Units<'c> {
             / exponent
             + sum(displacements.map(f64::abs), &sizes);
         [rate - by_displacements, error]
-    }
-
-    /// The prescribed settlement and tilt without dimensions; 0 for what else is prescribed.
-    fn displacements(&self) -> [f64; 2] {
-        let load = self.contact.problem().dimensionless_load();
-        let vertical = match load.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => 0.0,
-        };
-        let rotational = match load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
-        };
-        [vertical, rotational]
-    }
-
-    /// The prescribed force and moment without dimensions; 0 for what else is prescribed.
-    fn forces(&self) -> [f64; 2] {
-        let load = self.contact.problem().dimensionless_load();
-        let vertical = match load.vertical {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => 0.0,
-        };
-        let rotational = match load.rotational {
-            Rotational::Moment(moment) => moment,
-            Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
-        };
-        [vertical, rotational]
-    }
-
-    fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
-        self.scaling.map_or(1.0, unit)
-    }
-}
-
-/// `B` and `kappa`; none for a smooth surface.
-fn law(roughness: Roughness) -> Option<(f64, f64)> {
-    match roughness {
-        Roughness::Smooth => None,
-        Roughness::Linear { compliance } => Some((compliance, 1.0)),
-        Roughness::Power { coefficient, exponent } => Some((coefficient, exponent)),
     }
 }

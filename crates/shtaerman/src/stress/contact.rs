@@ -80,7 +80,9 @@ fn under(
     };
     let breaks = breaks(problem, period);
     let (panels, owners): (Vec<[f64; 2]>, Vec<usize>) = (zones.iter().enumerate())
-        .flat_map(|(owner, &zone)| cut(zone, &breaks).into_iter().map(move |panel| (panel, owner)))
+        .flat_map(|(owner, &zone)| {
+            crate::order::panels(zone, &breaks).into_iter().map(move |panel| (panel, owner))
+        })
         .unzip();
     let pressure = |panel: usize, from_left: f64, to_right: f64| {
         let ([left, right], zone) = (panels[panel], zones[owners[panel]]);
@@ -117,14 +119,4 @@ fn breaks(problem: &Problem, period: Option<f64>) -> Vec<f64> {
     }
     breaks.sort_by(f64::total_cmp);
     breaks
-}
-
-/// The panels into which breakpoints cut a zone.
-fn cut([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
-    // A piece of rounding's length has no inside.
-    let apart = 1e-13 * (right - left) + 4.0 * f64::EPSILON;
-    let mut cuts = vec![left];
-    cuts.extend(breaks.iter().filter(|at| **at > left + apart && **at < right - apart));
-    cuts.push(right);
-    cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }

@@ -50,6 +50,9 @@ pub struct Peak {
     pub is_corner: bool,
 }
 
+/// A place and the value there.
+type Reached = ([f64; 2], f64);
+
 impl StressField {
     /// The largest equivalent stress in the body and its place; of equal ones that inside the body, of those the leftmost. Of a periodic pressure it is that in the period about 0, or, where panels reach beyond it, about their middle.
     #[must_use]
@@ -75,7 +78,7 @@ impl StressField {
     }
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {
-        let mut found: Vec<([f64; 2], f64)> = Vec::new();
+        let mut found: Vec<Reached> = Vec::new();
         for (interval, stride) in self.searched() {
             found.extend(self.grid_maxima(criterion, interval, stride));
         }
@@ -91,7 +94,7 @@ impl StressField {
         crate::order::sort_by_number(&mut found, |one| -one.1);
         found.truncate(MOST_REFINED);
         let mut peaks: Vec<Peak> =
-            found.into_iter().map(|(place, value)| self.refined(criterion, place, value)).collect();
+            found.into_iter().map(|start| self.refined(criterion, start)).collect();
         peaks.iter_mut().for_each(|peak| peak.x = self.within_period(peak.x));
         crate::order::sort_by_number(&mut peaks, |one| one.x);
         peaks
@@ -140,7 +143,7 @@ impl StressField {
         criterion: Criterion,
         [left, right]: [f64; 2],
         stride: f64,
-    ) -> Vec<([f64; 2], f64)> {
+    ) -> Vec<Reached> {
         let count = (OUTERMOST / stride) as i64;
         let place = |column: i64, row: usize| {
             let angle = PI * (row as f64 + 0.5) / ANGLES as f64;
@@ -172,19 +175,13 @@ impl StressField {
         found
     }
 
-    fn refined(&self, criterion: Criterion, place: [f64; 2], value: f64) -> Peak {
-        let (place, value) = self.climbed(criterion, place, value);
-        let (place, value) = self.settled(criterion, place, value);
+    fn refined(&self, criterion: Criterion, start: Reached) -> Peak {
+        let (place, value) = self.settled(criterion, self.climbed(criterion, start));
         Peak { value, x: place[0], depth: place[1], is_corner: false }
     }
 
     /// By steps along the axes, halved where none leads upwards.
-    fn climbed(
-        &self,
-        criterion: Criterion,
-        mut place: [f64; 2],
-        mut value: f64,
-    ) -> ([f64; 2], f64) {
+    fn climbed(&self, criterion: Criterion, (mut place, mut value): Reached) -> Reached {
         let mut step = 0.25 * self.distance(place);
         for _ in 0..COMPASS_STEPS {
             let around = [[step, 0.0], [-step, 0.0], [0.0, step], [0.0, -step]];
@@ -207,12 +204,7 @@ impl StressField {
     }
 
     /// By Newton's method on the gradient, with the matrix made negative definite where the top is flat.
-    fn settled(
-        &self,
-        criterion: Criterion,
-        mut place: [f64; 2],
-        mut value: f64,
-    ) -> ([f64; 2], f64) {
+    fn settled(&self, criterion: Criterion, (mut place, mut value): Reached) -> Reached {
         for _ in 0..NEWTON_STEPS {
             let reach = self.distance(place);
             let offset = OFFSET * reach.min(place[1]);

@@ -31,7 +31,7 @@ fn waves() {
     let ramp = punch(1.0, |x| x, level(1.0)).period(2.0);
     assert!(matches!(ramp.refused(), Error::InvalidValue { field: "profile", .. }));
     let turned = punch(1.0, |_| 0.0, balanced(1.0, 0.1)).period(2.0);
-    assert!(matches!(turned.refused(), Error::InvalidValue { field: "tilt", .. }));
+    assert!(matches!(turned.refused(), Error::InvalidValue { field: "moment", .. }));
     let load = Load::new(Vertical::Settlement(1.0), Rotational::Tilt(0.0)).unwrap();
     let sunk = punch(1.0, |_| 0.0, load).period(2.0);
     assert!(matches!(sunk.refused(), Error::InvalidValue { field: "settlement", .. }));

@@ -38,15 +38,13 @@ impl Loaded {
             right.iter_mut().zip(column).for_each(|(value, c)| *value += gain * by * c);
         };
         let mut conditions = Vec::new();
-        let mut force = None;
         match load.vertical {
             Vertical::Force(value) => {
                 conditions.push(Condition { row: ones.clone(), column: ones, value });
-                force = Some(value);
             }
             Vertical::Settlement(settlement) => add(&ones, settlement),
         }
-        match (load.rotational, force) {
+        match (load.rotational, load.vertical.force()) {
             (Rotational::Moment(value), _) => {
                 conditions.push(Condition { row: lever.clone(), column: lever, value });
             }
@@ -97,12 +95,7 @@ pub(in crate::contact) fn solve_thin(
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is
 /// beside, and the pressure is the same. None but zero where it is not free to move there.
 fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] {
-    let Vertical::Force(force) = load.vertical else { return [0.0; 2] };
-    let arm = match load.rotational {
-        Rotational::Moment(moment) => moment / force,
-        Rotational::Eccentricity(e) => e,
-        Rotational::Tilt(_) => return [0.0; 2],
-    };
+    let (Vertical::Force(_), Some(arm)) = (load.vertical, load.arm()) else { return [0.0; 2] };
     // The lower hull of the heights, from left to right.
     let mut hull: Vec<[f64; 2]> = Vec::new();
     for cell in cells.cells() {
@@ -127,11 +120,7 @@ fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] 
 
 /// Boundaries that close in on an edge of the base from cells of this width, until a cell fits between it and the line of the force.
 pub(super) fn closing_in(load: Load, width: f64, shortest: f64) -> impl Iterator<Item = f64> {
-    let arm = match (load.vertical, load.rotational) {
-        (Vertical::Force(force), Rotational::Moment(moment)) => moment / force,
-        (_, Rotational::Eccentricity(e)) => e,
-        _ => 0.0,
-    };
+    let arm = load.arm().unwrap_or(0.0);
     let room = 0.25 * (1.0 - arm.abs());
     std::iter::successors(Some(0.5 * width), |width| Some(0.5 * width))
         .take_while(move |width| *width > room.max(shortest))
@@ -147,16 +136,12 @@ fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
             values[cell] = moment / (centres[cell] * roots[cell]);
         }
         (Vertical::Settlement(_), _) => {}
-        (Vertical::Force(force), rotational) => {
-            let arm = match rotational {
-                Rotational::Moment(moment) => moment / force,
-                Rotational::Eccentricity(e) => e,
-                // An even pressure.
-                Rotational::Tilt(_) => {
-                    let mass: f64 = roots.iter().map(|root| root * root).sum();
-                    centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass
-                }
-            };
+        (Vertical::Force(force), _) => {
+            // Without one an even pressure.
+            let arm = load.arm().unwrap_or_else(|| {
+                let mass: f64 = roots.iter().map(|root| root * root).sum();
+                centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass
+            });
             let density = balanced(centres, roots, arm);
             let carried: f64 = density.iter().zip(roots).map(|(p, root)| p * root * root).sum();
             for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {

@@ -7,6 +7,7 @@ mod load;
 use load::closing_in;
 pub(super) use load::{Loaded, solve_thin};
 
+use super::ground::Ground;
 use super::iteration::STEPS;
 use super::valleys::{self, CELLS_A_ZONE};
 use crate::{Error, Load};
@@ -53,7 +54,9 @@ impl Cell {
 
     /// Simpson's mean of a profile, from inside the cell.
     pub(super) fn mean(&self, height: impl Fn(f64) -> f64) -> f64 {
-        mean_height(self.centre(), 0.5 * self.width(), height)
+        let inside = 0.5 * self.width() * (1.0 - INSIDE);
+        let at = |side: f64| height(self.centre() + side * inside);
+        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
     }
 
     fn parts(self, count: usize) -> impl Iterator<Item = Self> {
@@ -64,13 +67,6 @@ impl Cell {
         };
         (0..count).map(move |part| Self { left: at(part), right: at(part + 1), ..self })
     }
-}
-
-/// Simpson's mean of a profile over a cell, from inside it.
-pub(super) fn mean_height(centre: f64, half: f64, height: impl Fn(f64) -> f64) -> f64 {
-    let inside = half * (1.0 - INSIDE);
-    let at = |side: f64| height(centre + side * inside);
-    (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
 }
 
 /// Cells from left to right, with or without gaps between them, and which of them carry.
@@ -136,19 +132,23 @@ impl Cells {
         }
     }
 
-    /// Solves, marks the cells that carry and refines, until every zone has enough of them.
-    pub(super) fn settle(
-        &mut self,
-        mut solve: impl FnMut(&Self) -> Result<Vec<f64>, Error>,
-    ) -> Result<(), Error> {
+    /// Solves with the roots of masses and the matrix of a ground, marks the cells that carry and refines, until every zone has enough of them: the intervals of contact.
+    pub(super) fn settled(
+        mut self,
+        ground: &dyn Ground,
+        solve: impl Fn(&Self, Vec<f64>, Vec<f64>) -> Result<Vec<f64>, Error>,
+    ) -> Result<Vec<[f64; 2]>, Error> {
         for _ in 0..self.limits.rounds {
-            let values = solve(self)?;
+            let places: Vec<[f64; 2]> = self.cells.iter().map(Cell::ends).collect();
+            let (matrix, masses) = ground.cells(&places);
+            let roots = masses.iter().map(|mass| mass.sqrt()).collect();
+            let values = solve(&self, roots, matrix)?;
             self.mark(&values);
             if !self.refine() {
                 break;
             }
         }
-        Ok(())
+        Ok(self.intervals())
     }
 
     /// Splits the cells of zones that have few, and their neighbours; whether there were any.

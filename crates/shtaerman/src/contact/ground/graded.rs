@@ -5,7 +5,7 @@ use fredholm::complementarity::mean_power;
 use fredholm::kernel::{Kernel, Power};
 use fredholm::multipole::PanelKernel;
 
-use super::{Ground, Hull};
+use super::Ground;
 use crate::Error;
 
 #[derive(Debug)]
@@ -24,10 +24,6 @@ impl Graded {
 impl Ground for Graded {
     fn kernel(&self) -> &dyn Kernel {
         &self.kernel
-    }
-
-    fn hull(&self, left: f64, right: f64, _origin: f64) -> Hull {
-        Hull { centre: 0.5 * (left + right), half: 0.5 * (right - left) }
     }
 
     fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {

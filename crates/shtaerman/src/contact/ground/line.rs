@@ -27,10 +27,6 @@ impl Ground for Line {
         &self.kernel
     }
 
-    fn hull(&self, left: f64, right: f64, _origin: f64) -> Hull {
-        Hull { centre: 0.5 * (left + right), half: 0.5 * (right - left) }
-    }
-
     fn reduced_slope(&self, _xi: f64, _eta: f64) -> f64 {
         -1.0
     }

@@ -73,7 +73,9 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
     fn kernel(&self) -> &dyn Kernel;
 
     /// The local coordinates for zones between these ends; `origin` is the middle of the base.
-    fn hull(&self, left: f64, right: f64, origin: f64) -> Hull;
+    fn hull(&self, left: f64, right: f64, _origin: f64) -> Hull {
+        Hull { centre: 0.5 * (left + right), half: 0.5 * (right - left) }
+    }
 
     /// `(xi - eta) dK/dxi` for different points; of a homogeneous plane kernel finite where they meet.
     fn reduced_slope(&self, xi: f64, eta: f64) -> f64;

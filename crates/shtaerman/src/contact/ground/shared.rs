@@ -35,13 +35,9 @@ static KNOWN_OPERATORS: Mutex<Vec<(OperatorKey, Arc<SincOperator>)>> = Mutex::ne
 /// [`Error::Equation`] for an exponent that is not below 1.
 pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, Error> {
     let order = order.min(1);
-    let key = (order, exponent.to_bits());
-    if let Some(kernel) = known(&KNOWN_KERNELS, &key) {
-        return Ok(kernel);
-    }
-    let kernel = WeberSonine::new(1.0, order as f64, 0.5 * exponent)?;
-    keep(&KNOWN_KERNELS, key, &kernel, KEPT);
-    Ok(kernel)
+    cached(&KNOWN_KERNELS, (order, exponent.to_bits()), always, || {
+        Ok(WeberSonine::new(1.0, order as f64, 0.5 * exponent)?)
+    })
 }
 
 /// The operator of that kernel on `(0, 1)` in one panel, on the nodes that suit the order 0.
@@ -55,16 +51,16 @@ pub(super) fn disk_operator(
 ) -> Result<Arc<SincOperator>, Error> {
     let order = order.min(1);
     let key = ((order, exponent.to_bits()), half_count);
-    if let Some(operator) = known(&KNOWN_OPERATORS, &key) {
-        return Ok(operator);
-    }
-    let grid = Arc::new(SincGrid::crowded(&disk_harmonic(0, exponent)?, half_count)?);
-    let kernel = disk_harmonic(order, exponent)?;
-    let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?);
-    if operator.count() <= MOST_NODES {
-        keep(&KNOWN_OPERATORS, key, &operator, KEPT);
-    }
-    Ok(operator)
+    cached(
+        &KNOWN_OPERATORS,
+        key,
+        |operator| operator.count() <= MOST_NODES,
+        || {
+            let grid = Arc::new(SincGrid::crowded(&disk_harmonic(0, exponent)?, half_count)?);
+            let kernel = disk_harmonic(order, exponent)?;
+            Ok(Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?))
+        },
+    )
 }
 
 /// The operator of the logarithm on `(-1, 1)` in one panel.
@@ -72,16 +68,16 @@ pub(super) fn disk_operator(
 /// # Errors
 /// As [`disk_operator`].
 pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Error> {
-    if let Some(operator) = known(&KNOWN_LINES, &half_count) {
-        return Ok(operator);
-    }
-    let kernel = Logarithm::unit();
-    let grid = Arc::new(SincGrid::crowded(&kernel, half_count)?);
-    let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?);
-    if half_count <= MOST_NODES {
-        keep(&KNOWN_LINES, half_count, &operator, KEPT);
-    }
-    Ok(operator)
+    cached(
+        &KNOWN_LINES,
+        half_count,
+        |_| half_count <= MOST_NODES,
+        || {
+            let kernel = Logarithm::unit();
+            let grid = Arc::new(SincGrid::crowded(&kernel, half_count)?);
+            Ok(Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?))
+        },
+    )
 }
 
 /// The kernel of layered ground, its thickness in half-widths.
@@ -89,17 +85,14 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
 /// # Errors
 /// [`Error::Equation`] for a transfer function that is not finite.
 pub(in crate::contact) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
-    if let Some(kernel) = known(&KNOWN_PLANES, layering) {
-        return Ok(kernel);
-    }
-    let owned = layering.clone();
-    let transfer = move |u| owned.transfer(u);
-    let kernel = Arc::new(match layering.remainder().cloned() {
-        Some(remainder) => TransferPlane::with_remainder(move |d| remainder.at(d))?,
-        None => TransferPlane::new(layering.thickness(), layering.far_share(), transfer)?,
-    });
-    keep(&KNOWN_PLANES, layering.clone(), &kernel, KEPT);
-    Ok(kernel)
+    cached(&KNOWN_PLANES, layering.clone(), always, || {
+        let owned = layering.clone();
+        let transfer = move |u| owned.transfer(u);
+        Ok(Arc::new(match layering.remainder().cloned() {
+            Some(remainder) => TransferPlane::with_remainder(move |d| remainder.at(d))?,
+            None => TransferPlane::new(layering.thickness(), layering.far_share(), transfer)?,
+        }))
+    })
 }
 
 /// The same of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk.
@@ -107,38 +100,42 @@ pub(in crate::contact) fn layered_plane(layering: &Layering) -> Result<Arc<Trans
 /// # Errors
 /// As [`layered_plane`].
 pub(super) fn layered_disk(order: usize, layering: &Layering) -> Result<Arc<TransferDisk>, Error> {
-    let key = (order, layering.clone());
-    if let Some(kernel) = known(&KNOWN_DISKS, &key) {
-        return Ok(kernel);
+    cached(&KNOWN_DISKS, (order, layering.clone()), always, || {
+        let owned = layering.clone();
+        let transfer = move |u| owned.transfer(u);
+        Ok(Arc::new(TransferDisk::new(order, layering.thickness(), transfer)?))
+    })
+}
+
+/// The value with this key, which becomes the latest; a new one, if it is small, in the place of the one not wanted for longest.
+fn cached<K: PartialEq, V: Clone>(
+    list: &Mutex<Vec<(K, V)>>,
+    key: K,
+    is_small: impl FnOnce(&V) -> bool,
+    make: impl FnOnce() -> Result<V, Error>,
+) -> Result<V, Error> {
+    let locked = || list.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = |list: &Vec<(K, V)>| list.iter().position(|(known, _)| *known == key);
+    let mut list = locked();
+    if let Some(index) = known(&list) {
+        list[index..].rotate_left(1);
+        return Ok(list[list.len() - 1].1.clone());
     }
-    let owned = layering.clone();
-    let transfer = move |u| owned.transfer(u);
-    let kernel = Arc::new(TransferDisk::new(order, layering.thickness(), transfer)?);
-    keep(&KNOWN_DISKS, key, &kernel, KEPT);
-    Ok(kernel)
-}
-
-/// The value with this key, which becomes the latest.
-fn known<K: PartialEq, V: Clone>(list: &Mutex<Vec<(K, V)>>, key: &K) -> Option<V> {
-    let mut list = list.lock().unwrap_or_else(PoisonError::into_inner);
-    let index = list.iter().position(|(known, _)| known == key)?;
-    let found = list.remove(index);
-    let value = found.1.clone();
-    list.push(found);
-    Some(value)
-}
-
-/// Keeps a value in the place of the one not wanted for longest.
-fn keep<K: PartialEq, V: Clone>(list: &Mutex<Vec<(K, V)>>, key: K, value: &V, most: usize) {
-    let mut list = list.lock().unwrap_or_else(PoisonError::into_inner);
+    drop(list);
+    let value = make()?;
+    let mut list = locked();
     // Another thread may have been first.
-    if list.iter().any(|(known, _)| *known == key) {
-        return;
+    if is_small(&value) && known(&list).is_none() {
+        if list.len() >= KEPT {
+            list.remove(0);
+        }
+        list.push((key, value.clone()));
     }
-    if list.len() >= most {
-        list.remove(0);
-    }
-    list.push((key, value.clone()));
+    Ok(value)
+}
+
+fn always<V>(_: &V) -> bool {
+    true
 }
 
 #[cfg(test)]
@@ -152,13 +149,27 @@ mod tests {
     #[test]
     fn the_latest_are_kept() {
         let list = Mutex::new(Vec::new());
-        for key in 0..3 {
-            keep(&list, key, &(10 * key), 3);
+        let made = std::cell::Cell::new(0);
+        let value = |key: usize| {
+            let make = || {
+                made.set(made.get() + 1);
+                Ok(10 * key)
+            };
+            cached(&list, key, |value| *value < 10 * MOST_NODES, make).unwrap()
+        };
+        for key in (0..KEPT).chain([0, KEPT]) {
+            assert_eq!(value(key), 10 * key);
         }
-        assert_eq!(known(&list, &0), Some(0));
-        keep(&list, 3, &30, 3);
-        assert_eq!(known(&list, &1), None);
-        assert_eq!([0, 2, 3].map(|key| known(&list, &key)), [Some(0), Some(20), Some(30)]);
+        assert_eq!(made.get(), KEPT + 1);
+        for key in [0, 2, KEPT] {
+            assert_eq!(value(key), 10 * key);
+        }
+        assert_eq!(made.get(), KEPT + 1);
+        // The one not wanted for longest is made again, and what is large each time.
+        for key in [1, MOST_NODES, MOST_NODES] {
+            assert_eq!(value(key), 10 * key);
+        }
+        assert_eq!(made.get(), KEPT + 4);
     }
 
     #[test]

@@ -16,8 +16,7 @@ use crate::contact::setting::Setting;
 use crate::contact::steps::{BESIDE, INSIDE, rise};
 use crate::contact::valleys::{self, MISSED, MOST_CELLS, MOST_SAMPLES, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
-use crate::error::require;
-use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational};
 
 /// Samples between two measured points (survey).
 pub(super) const SAMPLES_A_POINT: usize = 4;
@@ -117,15 +116,6 @@ impl Base {
         self
     }
 
-    /// Where the force acts, if the load says so.
-    fn line_of_force(&self) -> Option<f64> {
-        match (self.load.vertical, self.load.rotational) {
-            (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
-            (_, Rotational::Eccentricity(e)) => Some(e),
-            _ => None,
-        }
-    }
-
     /// `f0(xi)`, or what it has beyond its tangent.
     pub(super) fn height(&self, xi: f64) -> f64 {
         self.surface.height(xi)
@@ -152,9 +142,7 @@ impl Base {
         let inside = |at: &f64| *at > window[0] && *at < window[1];
         // Where the period is joined the profile may bend.
         let breaks = self.breaks.iter().flat_map(|at| images(*at)).chain([-1.0, 1.0]);
-        let mut breaks: Vec<f64> = breaks.filter(inside).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
+        let breaks = crate::order::ascending(breaks.filter(inside));
         let samples =
             self.samples.iter().flat_map(|&(at, height)| images(at).map(move |at| (at, height)));
         let mut samples: Vec<(f64, f64)> = samples.filter(|(at, _)| inside(at)).collect();
@@ -217,10 +205,7 @@ impl Base {
 
     /// The prescribed tilt, or none.
     pub(super) fn tilt(&self) -> f64 {
-        match self.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
-        }
+        self.load.displacements()[1]
     }
 
     /// Number of cells that show every valley of the profile.
@@ -252,9 +237,7 @@ impl Base {
             self.load.rotational = Rotational::Tilt(0.0);
         }
         if self.ground.is_closed() {
-            let (field, value) = stated(self.problem().load().rotational);
-            let needed = "zero where the base fills the period: a wave cannot tilt";
-            require(value == 0.0, field, value, needed)?;
+            self.problem().require_no_turn()?;
             self.load.rotational = Rotational::Tilt(0.0);
         }
         Ok(())
@@ -293,7 +276,7 @@ impl Base {
         }
         let zones = self.coarse().unwrap_or_default();
         // The line of the force passes between the ends of the contact.
-        let arm = self.line_of_force().map(|arm| [arm; 2]);
+        let arm = self.load.arm().map(|arm| [arm; 2]);
         let left = zones.first().copied().or(arm)?[0];
         let right = zones.last().copied().or(arm)?[1];
         if right - left >= SMALL_ZONES {
@@ -305,14 +288,5 @@ impl Base {
         let (load, coarse) = (tangent.load(self.load), OnceCell::new());
         let samples = self.samples.iter().map(|&(xi, _)| (xi, surface.height(xi))).collect();
         Some(Self { surface, load, coarse, samples, ..self.clone() })
-    }
-}
-
-/// Name and value of a rotational load.
-pub(super) fn stated(rotational: Rotational) -> (&'static str, f64) {
-    match rotational {
-        Rotational::Moment(value) => ("moment", value),
-        Rotational::Eccentricity(value) => ("eccentricity", value),
-        Rotational::Tilt(value) => ("tilt", value),
     }
 }

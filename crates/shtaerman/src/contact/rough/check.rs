@@ -36,19 +36,15 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
 
 /// Of every part both ends, places between that are closer near the ends, and the samples of the profile.
 fn points(base: &Base, left: f64, right: f64) -> Vec<f64> {
-    let mut cuts = vec![left];
-    cuts.extend(base.breaks.iter().filter(|at| **at > left && **at < right));
-    cuts.push(right);
+    let inside = base.breaks.iter().copied().filter(|at| *at > left && *at < right);
     let mut points: Vec<f64> = Vec::new();
-    for pair in cuts.windows(2) {
-        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+    for [left, right] in crate::order::parts([left, right], inside) {
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         let reach = half * (1.0 - INSIDE);
-        points.extend(between_nodes(POINTS).map(|y| (middle + reach * y).clamp(pair[0], pair[1])));
+        points.extend(between_nodes(POINTS).map(|y| (middle + reach * y).clamp(left, right)));
         let [from, to] =
-            [pair[0], pair[1]].map(|end| base.samples.partition_point(|(at, _)| *at <= end));
-        points.extend(base.samples[from..to].iter().map(|(at, _)| *at).filter(|at| *at < pair[1]));
+            [left, right].map(|end| base.samples.partition_point(|(at, _)| *at <= end));
+        points.extend(base.samples[from..to].iter().map(|(at, _)| *at).filter(|at| *at < right));
     }
-    points.sort_by(f64::total_cmp);
-    points.dedup();
-    points
+    crate::order::ascending(points)
 }

@@ -2,8 +2,7 @@
 
 use super::base::Base;
 use super::layer::reference_pressure;
-use crate::contact::cells::{Cell, Cells, Loaded};
-use crate::contact::steps::BESIDE;
+use crate::contact::cells::{Cells, Loaded};
 use crate::{Error, Load};
 
 /// The intervals of contact to about a cell, given about how many cells to begin with.
@@ -14,25 +13,10 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     // v = p/gain
     let reference = reference_pressure(base, base.pieces.iter().copied());
     let gain = reference / base.layer.displacement(reference);
-    let mut cells =
-        Cells::of_base(&base.pieces, &valleys, base.load, count, |_| base.breaks.clone());
-    cells.settle(|cells| {
-        let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
-        let (matrix, masses) = base.ground.cells(&places);
-        let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
+    let cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |_| base.breaks.clone());
+    cells.settled(base.ground.as_ref(), |cells, roots, matrix| {
         let loaded = Loaded::new(cells, &roots, load, gain, |xi| base.height(xi));
         let (deadline, theta) = (base.problem().deadline(), gain * base.strength());
         Ok(loaded.solve(deadline, cells, matrix, theta)?.values)
-    })?;
-    Ok(cells.intervals())
-}
-
-/// The middle of the longest gap of a wave that is one with its images; none where all of it touches.
-pub(super) fn gap(intervals: &[[f64; 2]]) -> Option<f64> {
-    let [.., last] = intervals else { return None };
-    let mut before = last[1] - 2.0;
-    let gaps =
-        intervals.iter().map(|[left, right]| [std::mem::replace(&mut before, *right), *left]);
-    let longest = gaps.max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])))?;
-    (longest[1] - longest[0] > BESIDE).then(|| 0.5 * (longest[0] + longest[1]))
+    })
 }

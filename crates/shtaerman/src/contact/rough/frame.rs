@@ -7,7 +7,7 @@ use super::base::Base;
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::ground::Hull;
-use crate::contact::stiffness::Stiffness;
+use crate::contact::stiffness::{Stiffness, cramer, require_solved};
 use crate::{Load, Rotational, Vertical};
 
 /// Local coordinates and the load in them.
@@ -79,10 +79,7 @@ impl Frame {
 
     /// The prescribed force, or none.
     pub(super) fn force(&self) -> Option<f64> {
-        match self.load.vertical {
-            Vertical::Force(force) => Some(force),
-            Vertical::Settlement(_) => None,
-        }
+        self.load.vertical.force()
     }
 
     /// Where moments are counted from, as `xi`.
@@ -101,14 +98,7 @@ impl Frame {
 
     /// `D` and `beta` as far as they are prescribed.
     pub(super) fn start(&self) -> [f64; 2] {
-        let settlement = match self.load.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => 0.0,
-        };
-        let tilt = match self.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
-        };
+        let [settlement, tilt] = self.load.displacements();
         [settlement, self.hull.half * tilt]
     }
 
@@ -169,13 +159,8 @@ impl Frame {
         let [[a, c], [b, d]] = frame.each_ref().map(|direction| self.conditions(direction));
         let known = self.conditions(given);
         let lack = [0, 1].map(|k| wanted[k] - share * known[k]);
-        let determinant = a * d - b * c;
-        let found =
-            [(lack[0] * d - b * lack[1]) / determinant, (a * lack[1] - lack[0] * c) / determinant];
-        if found.iter().all(|value| value.is_finite()) {
-            return Ok(found);
-        }
-        Err(Error::Equation(fredholm::Error::Singular { parameter: determinant, smallest: 0.0 }))
+        let found = cramer([[a, b], [c, d]], lack);
+        require_solved(found, a * d - b * c).map(|()| found)
     }
 
     /// The state of a solution; what is prescribed comes back as given. `moment` is that of a whole period, where nothing turns.

@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use super::base::Base;
 use crate::contact::iteration::STEPS;
 use crate::error::require;
-use crate::roughness::Law;
 use crate::{Error, Problem, Vertical};
 
 /// Share of the layer under about the mean pressure below which there is next to no pressure (survey).
@@ -20,11 +19,7 @@ pub(super) struct Layer {
 
 impl Layer {
     pub(super) fn new(problem: &Problem) -> Result<Self, Error> {
-        let exponent = match problem.frame().law() {
-            Law::Linear => 1.0,
-            Law::Power(exponent) => exponent,
-            Law::Smooth => 0.0,
-        };
+        let exponent = problem.frame().law().exponent().unwrap_or(0.0);
         require(
             exponent > 0.0,
             "roughness",

@@ -25,6 +25,7 @@ mod turned;
 use std::sync::Arc;
 
 use super::check::Check;
+use super::intervals::longest_gap;
 use super::parts::{Parts, require_few};
 use super::promise::ROUGHEST;
 use super::search::{complementary, unknown};
@@ -98,7 +99,7 @@ fn on_panels(base: &Base) -> Result<RoughContact<OnPanels>, Error> {
 fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     let seen_from = |cut: f64| open(&base.clone().shifted(cut));
     // Cells that find nothing show no gap.
-    if let Some(middle) = coarse::gap(base.coarse().unwrap_or_default())
+    if let Some(middle) = longest_gap(base.coarse().unwrap_or_default())
         && let Ok(answer) = seen_from(middle)
         && !touches_about(answer.as_ref(), middle)
     {
@@ -108,7 +109,7 @@ fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     let Some(least) = full.pulls_most() else { return Ok(Arc::new(full.lifting())) };
     let answer = seen_from(least)?;
     // A slit beside a step, where contact ends, is a wall that the base has not.
-    let gap = coarse::gap(&answer.zones()).filter(|_| touches_about(answer.as_ref(), least));
+    let gap = longest_gap(&answer.zones()).filter(|_| touches_about(answer.as_ref(), least));
     gap.map_or(Ok(answer), seen_from)
 }
 

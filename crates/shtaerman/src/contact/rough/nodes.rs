@@ -127,12 +127,20 @@ pub(super) trait Discrete {
     where
         Self: 'o;
 
-    fn base(&self) -> &Base;
+    /// The base, the nodes and `theta`.
+    fn shared(&self) -> (&Base, &Arc<Nodes>, f64);
 
-    fn nodes(&self) -> &Arc<Nodes>;
+    fn base(&self) -> &Base {
+        self.shared().0
+    }
 
-    /// `theta`.
-    fn parameter(&self) -> f64;
+    fn nodes(&self) -> &Arc<Nodes> {
+        self.shared().1
+    }
+
+    fn parameter(&self) -> f64 {
+        self.shared().2
+    }
 
     /// `p dm` at the nodes, but for the measure.
     fn masses(&self, pressure: &Self::Pressure) -> Vec<f64>;

@@ -3,11 +3,13 @@
 //! Small zones far from the middle of the base have heights from the tangent there, which keeps their digits. With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`,
 //! the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
 
+use std::ops::Add;
+
 use crate::contact::accuracy::{Accuracy, ROUNDING};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
 use crate::contact::setting::Setting;
-use crate::{Load, Problem, Rotational, Scaling, Vertical};
+use crate::{Load, Problem, Scaling};
 
 /// A tangent of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,17 +31,7 @@ impl Tangent {
 
     /// The load of the problem with the profile `r`.
     pub(super) fn load(&self, load: Load) -> Load {
-        let vertical = match load.vertical {
-            Vertical::Settlement(settlement) => {
-                Vertical::Settlement(settlement - self.height + self.slope * self.at)
-            }
-            force @ Vertical::Force(_) => force,
-        };
-        let rotational = match load.rotational {
-            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + self.slope),
-            other => other,
-        };
-        Load { vertical, rotational }
+        load.lowered(self.height, self.slope).lowered(-self.slope * self.at, 0.0)
     }
 
     /// The state of the problem itself; what the load prescribes comes back as given.
@@ -51,12 +43,8 @@ impl Tangent {
     /// Errors with the rounding of what is added.
     pub(super) fn accuracy(&self, accuracy: Accuracy) -> Accuracy {
         let size = self.height.abs().max(self.slope.abs());
-        let raised = |error: f64| if error == 0.0 { 0.0 } else { error + ROUNDING * size };
-        Accuracy {
-            settlement: raised(accuracy.settlement),
-            tilt: raised(accuracy.tilt),
-            ..accuracy
-        }
+        let rounding = ROUNDING * size;
+        accuracy.open([rounding, rounding, 0.0, 0.0], f64::add)
     }
 }
 
@@ -93,7 +81,7 @@ impl Surface {
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));
         let slope = problem.profile().slope(xi, problem.frame().half_width());
-        let scale = problem.frame().scaling().map_or(1.0, Scaling::displacement);
+        let scale = problem.frame().unit(Scaling::displacement);
         slope.unwrap_or(f64::NAN) / scale - self.tangent.map_or(0.0, |tangent| tangent.slope)
     }
 

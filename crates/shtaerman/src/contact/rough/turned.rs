@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use fredholm::{SincOperator, SincSolution};
 
-use super::base::{Base, stated};
+use super::base::Base;
 use super::nodes::{Field, PLACES, between_nodes};
 use super::solved::{Solved, largest};
 use crate::contact::accuracy::{Accuracy, SAFETY};
@@ -85,7 +85,7 @@ pub(super) fn turned<F: Field>(
     stiffness: &mut Stiffness,
 ) -> Result<Option<Tilted>, Error> {
     let Some(kernel) = base.ground.turned_kernel()? else { return Ok(None) };
-    let (field, value) = stated(base.problem().load().rotational);
+    let (field, value) = base.problem().load().rotational.named();
     let (unit, changed) = Unit::new(base, solved, &kernel)?;
     stiffness.moment_tilt = unit.turning;
     if value == 0.0 {
@@ -95,11 +95,7 @@ pub(super) fn turned<F: Field>(
     require(base.layer.is_linear(), field, value, needed)?;
     let given = base.surface.setting.load().rotational;
     let (turning, state) = (unit.turning, &mut solved.state);
-    (state.tilt, state.moment) = match given {
-        Rotational::Tilt(tilt) => (tilt, -tilt * turning),
-        Rotational::Moment(moment) => (-moment / turning, moment),
-        Rotational::Eccentricity(e) => (-e * state.force / turning, e * state.force),
-    };
+    [state.tilt, state.moment] = given.turned(state.force, turning);
     let tilted = Tilted { unit, changed, tilt: state.tilt, given, kernel };
     if !base.is_bilateral {
         let [limit, tension] = tilted.tension(base, solved);

@@ -6,7 +6,7 @@ use super::base::{Base, SAMPLES, wrapped};
 use super::check::{check, points};
 use super::equation::{FINE, FirstKind};
 use super::pressure::{Pressure, place};
-use super::stated::{estimate, open};
+use super::stated::estimate;
 use crate::contact::accuracy::{Accuracy, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
@@ -68,7 +68,7 @@ impl<P: Pressure> SmoothContact<P> {
         let (tension, penetration) = (left.tension, left.penetration);
         Ok(Self {
             along: along(&base, &solved.zones()),
-            accuracy: open(&load, accuracy),
+            accuracy: accuracy.under(&load),
             complementarity: Complementarity { tension, penetration },
             largest: left.largest,
             base,
@@ -239,10 +239,9 @@ impl<P: Pressure> Solution for SmoothContact<P> {
         let count = (SAMPLES / self.along.len().max(1)).min(PLACES);
         let along = self.along.iter().flat_map(|(ends, _, _)| points(*ends, count));
         let along = along.map(|xi| if xi < -1.0 { wrapped(xi) } else { xi });
-        let mut places: Vec<f64> = along.chain([-1.0, 1.0]).filter(|xi| xi.abs() <= 1.0).collect();
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let sampled = places.into_iter().map(|xi| (xi, self.pressure(xi)));
+        let places = along.chain([-1.0, 1.0]).filter(|xi| xi.abs() <= 1.0);
+        let places = crate::order::ascending(places).into_iter();
+        let sampled = places.map(|xi| (xi, self.pressure(xi)));
         sampled.filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 

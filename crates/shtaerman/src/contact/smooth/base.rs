@@ -92,9 +92,8 @@ impl Base {
         };
         joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > INSIDE));
         for places in [&mut breaks, &mut joints] {
-            places.retain(|at| !is_disk || (0.0 < *at && *at < 1.0));
-            places.sort_by(f64::total_cmp);
-            places.dedup();
+            let inside = |at: &f64| !is_disk || (0.0 < *at && *at < 1.0);
+            *places = crate::order::ascending(places.drain(..).filter(inside));
         }
         if is_disk && breaks.len() > MOST_CUTS {
             breaks.clear();
@@ -209,12 +208,7 @@ impl Base {
             return Ok(self);
         }
         if problem.is_wave() {
-            let (Rotational::Tilt(given)
-            | Rotational::Moment(given)
-            | Rotational::Eccentricity(given)) = problem.load().rotational;
-            let requirement =
-                "zero for a base that repeats without gaps: neither a tilt nor a moment repeats";
-            require(given == 0.0, "tilt", given, requirement)?;
+            problem.require_no_turn()?;
             // That no moment is asked for means that none is applied.
             self.load.rotational = level;
         }

@@ -59,9 +59,7 @@ impl Along {
         let mut points = looked_at(base, zone.ends, POINTS);
         // Pressures are often least on the axis, where those of kinks are infinite.
         points[0] += if zone.kinds[0] == EndKind::Axis { BESIDE_AXIS * zone.length() } else { 0.0 };
-        points.extend(closing_in(base, &zone));
-        points.sort_by(f64::total_cmp);
-        points.dedup();
+        points = crate::order::ascending(points.into_iter().chain(closing_in(base, &zone)));
         points.retain(|xi| zone.left() <= *xi && *xi <= zone.right());
         let has_corner = zone.kinds.contains(&EndKind::Wall);
         let (points, pulls) = with_tops(&points, |xi| {
@@ -96,11 +94,8 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
 
 /// Both ends and places between that show every feature of the profile.
 pub(super) fn looked_at(base: &Base, ends: [f64; 2], fewest: usize) -> Vec<f64> {
-    let mut points = points(ends, fewest);
-    points.extend(between_breaks(&base.marks, ends));
-    points.sort_by(f64::total_cmp);
-    points.dedup();
-    points
+    let points = points(ends, fewest).into_iter();
+    crate::order::ascending(points.chain(between_breaks(&base.marks, ends)))
 }
 
 /// Places that close in on the hollow kinks of a zone from either side, under which the pressure falls below all bounds, but as slowly as a logarithm, and half as often on its free ends: not on those of rings, whose modes are cut off.

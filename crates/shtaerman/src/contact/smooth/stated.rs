@@ -6,7 +6,6 @@ use super::equation::FirstKind;
 use super::pressure::{Known, Pressure, at_angle};
 use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING};
 use crate::contact::balance::State;
-use crate::{Load, Rotational, Vertical};
 
 /// Points of a zone at which two resolutions are compared.
 const COMPARISONS: usize = 33;
@@ -71,17 +70,4 @@ pub(super) fn estimate<F: FirstKind>(
 /// The error of the pressure over the largest one.
 pub(super) fn noise<F: FirstKind>(equation: &F, solved: &F::Solved, largest: f64) -> f64 {
     estimate(equation, solved, largest).0.pressure / largest
-}
-
-/// Without errors of what the load prescribes.
-pub(super) fn open(load: &Load, accuracy: Accuracy) -> Accuracy {
-    let of = |is_given: bool, error: f64| if is_given { 0.0 } else { error };
-    let by_force = matches!(load.vertical, Vertical::Force(_));
-    Accuracy {
-        settlement: of(!by_force, accuracy.settlement),
-        tilt: of(matches!(load.rotational, Rotational::Tilt(_)), accuracy.tilt),
-        force: of(by_force, accuracy.force),
-        moment: of(matches!(load.rotational, Rotational::Moment(_)), accuracy.moment),
-        ..accuracy
-    }
 }

@@ -1,7 +1,7 @@
 //! Which parts of the base touch: a complementarity problem on cells, with a layer too thin to matter, refined where zones are short.
 
 use super::base::Base;
-use crate::contact::cells::{Cell, Cells, solve_thin};
+use crate::contact::cells::{Cells, solve_thin};
 use crate::{Error, Load, Vertical};
 
 /// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
@@ -12,17 +12,14 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
     let is_forced = matches!(vertical, Vertical::Force(_));
     let theta = ground.strength() * base.setting.theta0();
     let valleys: Vec<f64> = base.valleys().collect();
-    let mut cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |width| {
+    let cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |width| {
         // Cells show what lies between measured points, but not what is narrower than they are.
         let narrow = base.joints.windows(2).filter(|pair| pair[1] - pair[0] < width);
         let is_few = narrow.clone().count() < count / 2;
         let narrow = narrow.flatten().filter(|_| is_few);
         base.breaks.iter().chain(narrow).copied().collect()
     });
-    cells.settle(|cells| {
-        let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
-        let (mut matrix, masses) = ground.cells(&places);
-        let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
+    cells.settled(ground.as_ref(), |cells, roots, mut matrix| {
         let mut strength = theta;
         if is_forced && ground.exponent() > 0.0 && !ground.is_disk() {
             strength *= ground.exponent();
@@ -30,8 +27,7 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
         }
         let height = |xi: f64| base.height(xi);
         solve_thin(base.deadline(), cells, (roots, matrix), load, strength, height)
-    })?;
-    Ok(cells.intervals())
+    })
 }
 
 /// `(d^-mu - 4^-mu)/mu` in the place of `d^-mu`: where the force is prescribed a constant adds to the settlement alone, and of a small `mu` it would leave few digits for the rest.

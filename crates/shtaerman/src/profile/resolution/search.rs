@@ -1,9 +1,9 @@
 //! Halves a base until bounds of derivatives prove every part resolved.
 
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::super::base::Profile;
+use super::super::waiting::Waiting;
 use crate::expression::{Interval, Taylor};
 
 /// Enclosures of Taylor coefficients at most, and their product with the length of the expression.
@@ -93,33 +93,6 @@ impl Bounds {
 
     fn is_bounded(&self, order: usize) -> bool {
         self.logarithms.get(order - 1).is_some_and(|bound| *bound < f64::INFINITY)
-    }
-}
-
-/// A part that waits for its turn, the one with the highest rank first.
-struct Waiting {
-    rank: f64,
-    part: Interval,
-}
-
-impl PartialEq for Waiting {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Waiting {}
-
-impl PartialOrd for Waiting {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Waiting {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let by_rank = self.rank.total_cmp(&other.rank);
-        by_rank.then(other.part.lower().total_cmp(&self.part.lower()))
     }
 }
 

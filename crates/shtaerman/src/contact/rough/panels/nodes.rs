@@ -188,16 +188,8 @@ impl Discrete for PanelNodes<'_> {
     where
         Self: 'o;
 
-    fn base(&self) -> &Base {
-        self.base
-    }
-
-    fn nodes(&self) -> &Arc<Nodes> {
-        &self.nodes
-    }
-
-    fn parameter(&self) -> f64 {
-        self.parameter
+    fn shared(&self) -> (&Base, &Arc<Nodes>, f64) {
+        (self.base, &self.nodes, self.parameter)
     }
 
     fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {

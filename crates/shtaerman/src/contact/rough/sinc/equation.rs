@@ -85,7 +85,7 @@ impl<'b> Collocation<'b> {
     fn strength(&self, zones: &[Zone]) -> f64 {
         let base = self.base;
         let panels = zones.iter().flat_map(|zone| zone.panels(&base.breaks));
-        let longest = panels.fold(0.0f64, |most, (left, right)| most.max(right - left));
+        let longest = panels.fold(0.0f64, |most, [left, right]| most.max(right - left));
         let count = first_half_count(0.5 * base.steepness() * longest);
         // The pressure of a layer that bends ends with another power.
         let count = if base.layer.is_linear() { count } else { RATIO * count };

@@ -123,7 +123,7 @@ impl<'b> SincNodes<'b> {
         let ground = base.ground.as_ref();
         let hull = ground.hull(first.left(), last.right(), base.surface.origin);
         let panels: Vec<[f64; 2]> =
-            zones.iter().flat_map(|zone| zone.panels(&base.breaks)).map(<[f64; 2]>::from).collect();
+            zones.iter().flat_map(|zone| zone.panels(&base.breaks)).collect();
         let operator = resolution.operator(local_panels(ground, &hull, &panels))?;
         let place = |place: Place| {
             let [left, right] = panels[place.panel];
@@ -157,16 +157,8 @@ impl Discrete for SincNodes<'_> {
     where
         Self: 'o;
 
-    fn base(&self) -> &Base {
-        self.base
-    }
-
-    fn nodes(&self) -> &Arc<Nodes> {
-        &self.nodes
-    }
-
-    fn parameter(&self) -> f64 {
-        self.parameter
+    fn shared(&self) -> (&Base, &Arc<Nodes>, f64) {
+        (self.base, &self.nodes, self.parameter)
     }
 
     fn masses(&self, solution: &SincSolution) -> Vec<f64> {

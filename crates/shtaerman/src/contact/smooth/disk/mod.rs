@@ -90,9 +90,7 @@ impl Disk {
 
     /// Whether a contact of rings can be solved for.
     fn takes_rings(&self) -> bool {
-        let (Rotational::Moment(turn) | Rotational::Eccentricity(turn) | Rotational::Tilt(turn)) =
-            self.rotational;
-        self.powers.exponent() == 0.0 && turn == 0.0
+        self.powers.exponent() == 0.0 && self.rotational.named().1 == 0.0
     }
 
     /// That the contact is no single disk, with a place that shows it.

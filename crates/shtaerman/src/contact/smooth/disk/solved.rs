@@ -20,11 +20,10 @@ use super::core::Core;
 use super::coupling::{RingNodes, counts, coupled, narrowest};
 use super::ring::Ring;
 use super::ring_part::{OnRing, RingPart};
-use super::tilt::tilt_and_moment;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::balance::State;
 use crate::contact::edges::EndState;
-use crate::contact::stiffness::Stiffness;
+use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
@@ -97,12 +96,7 @@ impl Solved {
                 (depth, settlement, rate * depth + free)
             }
         };
-        if !(depth.is_finite() && force.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular {
-                parameter: theta0,
-                smallest: 0.0,
-            }));
-        }
+        require_solved([depth, force], theta0)?;
         let turning = is_fine.then(OnceLock::new);
         let moment_tilt = Core::turning(&disk.powers, disk.modulus, c);
         let stiffness = Stiffness { force_settlement: rate, coupling: 0.0, moment_tilt };
@@ -114,7 +108,7 @@ impl Solved {
                 RingPart::new(nodes, slope, &modes, heights)
             })
             .collect();
-        let [tilt, moment] = tilt_and_moment(disk.rotational, force, moment_tilt);
+        let [tilt, moment] = disk.rotational.turned(force, moment_tilt);
         let core = core.zip(inner).map(|((transform, axis), zone)| {
             let level = depth - axis;
             let slope = transform.end_slope();
@@ -132,13 +126,7 @@ impl Solved {
                 tilt,
             }
         });
-        // Adding zero turns a negative zero into a plain one.
-        let state = State {
-            settlement: settlement + 0.0,
-            tilt: tilt + 0.0,
-            force: force + 0.0,
-            moment: moment + 0.0,
-        };
+        let state = State { settlement, tilt, force, moment }.plain();
         Ok(Self { zones: zones.to_vec(), core, parts, theta0, state, stiffness, turning })
     }
 
@@ -165,7 +153,7 @@ impl Solved {
                 (core.corner, core.is_free) = (core.corner + deeper, false);
             }
         }
-        let turned = tilt_and_moment(disk.rotational, state.force, self.stiffness.moment_tilt);
+        let turned = disk.rotational.turned(state.force, self.stiffness.moment_tilt);
         [state.tilt, state.moment] = turned;
         other
     }

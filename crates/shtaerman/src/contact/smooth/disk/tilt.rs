@@ -5,21 +5,10 @@ use super::super::pressure::{Pressure, place};
 use super::Disk;
 use super::core::Core;
 use super::solved::Solved;
+use crate::Error;
 use crate::contact::check::POINTS;
 use crate::contact::extremes::Sampled;
 use crate::contact::search::ALLOWED;
-use crate::{Error, Rotational};
-
-/// Tilt and moment under a force, of a contact with this `dM0/d(-alpha0)`.
-pub(super) fn tilt_and_moment(given: Rotational, force: f64, turning: f64) -> [f64; 2] {
-    match given {
-        // Of rings, which stand level, it is known in the answer only.
-        Rotational::Tilt(0.0) | Rotational::Moment(0.0) | Rotational::Eccentricity(0.0) => [0.0; 2],
-        Rotational::Tilt(tilt) => [tilt, -tilt * turning],
-        Rotational::Moment(moment) => [-moment / turning, moment],
-        Rotational::Eccentricity(e) => [-e * force / turning, e * force],
-    }
-}
 
 /// Refuses a tilt that lifts the disk off on one side.
 pub(super) fn require_contact(disk: &Disk, solved: &Solved) -> Result<(), Error> {
@@ -29,11 +18,7 @@ pub(super) fn require_contact(disk: &Disk, solved: &Solved) -> Result<(), Error>
     if !is_unilateral || limit >= 1.0 - ALLOWED {
         return Ok(());
     }
-    let (field, value) = match *disk.base.setting.problem().load() {
-        crate::Load { rotational: Rotational::Moment(value), .. } => ("moment", value),
-        crate::Load { rotational: Rotational::Eccentricity(value), .. } => ("eccentricity", value),
-        crate::Load { rotational: Rotational::Tilt(value), .. } => ("tilt", value),
-    };
+    let (field, value) = disk.base.setting.problem().load().rotational.named();
     Err(Error::LiftsOff { field, value, limit: limit * value.abs() })
 }
 

@@ -12,11 +12,11 @@ use super::super::pressure::{Density, Known, Pressure};
 use super::coupling::{carried, counts, coupled};
 use super::kernel::Kernel;
 use super::part::Part;
+use crate::Error;
 use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
-use crate::contact::stiffness::Stiffness;
+use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
-use crate::{Error, Load, Rotational};
 
 /// Below so many roundings of the scale, and one for each that a rounding of the displacement counts, a density is none where slopes are known: at an end it is no better known.
 const NONE: f64 = 8.0;
@@ -63,14 +63,9 @@ impl Solved {
         let balance = Balance { centre: middle, stiffness, free: carried(&profile) };
         // The line of the reference, reference + lean (xi - c).
         let start = reference - lean * zones[0].middle();
-        let [depth, tilt] = balance.depth_and_tilt(&beside_line(base.load, start, lean));
+        let [depth, tilt] = balance.depth_and_tilt(&base.load.lowered(start, lean));
         let state = balance.state_of(&base.load, [depth, tilt], [start + lean * middle, lean]);
-        if !(depth.is_finite() && tilt.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular {
-                parameter: theta0,
-                smallest: 0.0,
-            }));
-        }
+        require_solved([depth, tilt], theta0)?;
         let parts = (resolved.into_iter().enumerate())
             .map(|(j, (slope, lean))| {
                 let own = |k: usize| -(k as f64) * heights[j][k] / PI;
@@ -200,14 +195,4 @@ impl Pressure for Solved {
     fn unknowns(&self) -> usize {
         self.parts.iter().map(Part::count).sum()
     }
-}
-
-/// The load of a profile less the line `reference + lean xi`.
-fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
-    let vertical = load.vertical.mapped(|force| force, |settlement| settlement - reference);
-    let rotational = match load.rotational {
-        Rotational::Tilt(tilt) => Rotational::Tilt(tilt + lean),
-        other @ (Rotational::Moment(_) | Rotational::Eccentricity(_)) => other,
-    };
-    Load { vertical, rotational }
 }

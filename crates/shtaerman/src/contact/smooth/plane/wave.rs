@@ -17,6 +17,7 @@ use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
 use crate::contact::extremes::NEGLIGIBLE;
+use crate::contact::intervals::longest_gap;
 use crate::contact::iteration::STEPS;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
@@ -32,12 +33,9 @@ const SEAM: f64 = 1e-6;
 pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let step = (base.height(1.0 - BESIDE) - base.height(BESIDE - 1.0)).abs();
     let requirement = "the same at both ends of a period: a smooth surface bears no step";
-    let unit = base.setting.problem().frame().scaling().map_or(1.0, Scaling::displacement);
+    let unit = base.setting.problem().frame().unit(Scaling::displacement);
     require(step <= SEAM * base.range(), "profile", unit * base.height(1.0), requirement)?;
-    let force = match base.load.vertical {
-        Vertical::Force(force) => force,
-        Vertical::Settlement(_) => 0.0,
-    };
+    let [force, _] = base.load.forces();
     let full = FullWave::new(base, force);
     let along = full.along((4 * base.cells()).min(CELLS));
     let size = along.iter().fold(0.0f64, |most, (_, p)| most.max(p.abs()));
@@ -130,11 +128,9 @@ impl Partial {
         let base = self.turned.under(force);
         let intervals = topology::find(&base, base.cells()).ok()?;
         let ([first, ..], [.., last]) = (&intervals[..], &intervals[..]) else { return None };
-        let gaps = intervals.windows(2).map(|pair| [pair[0][1], pair[1][0]]);
-        let longest = gaps.max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])));
         let touches = first[0] <= -1.0 && last[1] >= 1.0;
-        let [left, right] = longest.filter(|_| touches)?;
-        Some(wrapped(0.5 * (left + right) + base.shift))
+        let middle = longest_gap(&intervals).filter(|_| touches)?;
+        Some(wrapped(middle + base.shift))
     }
 }
 
