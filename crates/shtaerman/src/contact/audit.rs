@@ -156,7 +156,7 @@ impl Contact {
             }
             _ => accuracy,
         };
-        if !accuracy.is_finite() {
+        if !accuracy.is_finite() || !bound.residual.is_finite() {
             return Err(if posed.is_bound() {
                 Unaudited::NotFinite
             } else {

@@ -216,6 +216,19 @@ fn what_is_not_covered_says_why() {
     assert_eq!(audited.dimensionless().error().unwrap(), stated);
 }
 
+/// `ceil(rho^-rho)` steps at the axis from one value to the next within rounding, and its enclosures have no bounds: found by random input.
+#[test]
+fn a_residual_without_bounds_states_nothing() {
+    let disk = Punch::circular(1.0).unwrap();
+    let stepped = Profile::expression("2.0055669036812495e-3*ceil(rho^(-rho))").unwrap();
+    let load = Load::new(Vertical::Force(7.644171990121552), Rotational::Tilt(0.0)).unwrap();
+    let solver = Solver::spectral(70).unwrap();
+    let foundation = Foundation::dimensionless(2.60853748269252).unwrap();
+    let problem = Problem::new(foundation, disk.with_profile(stepped), load).unwrap();
+    let contact = problem.with_solver(solver).solve().unwrap();
+    assert!(contact.audit().is_err());
+}
+
 #[test]
 fn loads_of_every_kind_enclose_the_same_contact() {
     // One contact four ways: what one load prescribes the others find, within both their bounds.
