@@ -32,6 +32,7 @@
 
 pub mod answer;
 pub mod asperities;
+mod bodies;
 pub mod contact;
 mod deadline;
 pub mod equation;
@@ -39,7 +40,6 @@ mod error;
 pub mod file;
 pub mod finite_elements;
 mod foundation;
-mod frame;
 mod geometry;
 mod grading;
 mod influence;

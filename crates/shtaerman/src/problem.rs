@@ -5,10 +5,10 @@ use std::sync::atomic::AtomicBool;
 
 use fredholm::basis::Function;
 
+use crate::bodies::Bodies;
 use crate::deadline::Deadline;
 use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
-use crate::frame::Frame;
 use crate::profile::Resolution;
 use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solver, Vertical};
 
@@ -42,7 +42,7 @@ pub struct Problem {
     foundation: Foundation,
     punch: Punch,
     /// What the equation needs of both.
-    frame: Frame,
+    bodies: Bodies,
     load: Load,
     solver: Solver,
     /// When the search for its answer has to come to its end.
@@ -57,23 +57,23 @@ impl Problem {
     /// dimensionless problem) and for scales or a load beyond the range of double precision; [`Error::ProfileNotFinite`] where the profile is not finite on
     /// the closed punch.
     pub fn new(foundation: Foundation, punch: Punch, load: Load) -> Result<Self, Error> {
-        let frame = Frame::new(&foundation, &punch)?;
+        let bodies = Bodies::new(&foundation, &punch)?;
         let (solver, deadline) = (Solver::default(), Deadline::default());
-        Self { foundation, punch, frame, load, solver, deadline }.ready()
+        Self { foundation, punch, bodies, load, solver, deadline }.ready()
     }
 
-    /// The same problem solved in another frame, without asking what foundation and punch would make it so.
-    pub(crate) fn in_frame(&self, frame: Frame) -> Result<Self, Error> {
-        Self { frame, ..self.clone() }.ready()
+    /// The same problem solved with other bodies, without asking what foundation and punch would make it so.
+    pub(crate) fn of_bodies(&self, bodies: Bodies) -> Result<Self, Error> {
+        Self { bodies, ..self.clone() }.ready()
     }
 
     fn ready(mut self) -> Result<Self, Error> {
-        if let Some(scaling) = self.frame.scaling() {
+        if let Some(scaling) = self.bodies.scaling() {
             let scaled = scaling.load(&self.load);
             Load::new(scaled.vertical, scaled.rotational)?;
         }
         if self.is_wave() {
-            let profile = self.profile().clone().repeating(self.frame.half_width());
+            let profile = self.profile().clone().repeating(self.bodies.half_width());
             self.punch = self.punch.with_profile(profile);
         }
         self.check_profile()?;
@@ -93,8 +93,8 @@ impl Problem {
     }
 
     /// Units, material, layer and geometry together.
-    pub(crate) fn frame(&self) -> &Frame {
-        &self.frame
+    pub(crate) fn bodies(&self) -> &Bodies {
+        &self.bodies
     }
 
     /// Base of the punch.
@@ -112,7 +112,7 @@ impl Problem {
     /// What is prescribed, without dimensions.
     #[must_use]
     pub fn dimensionless_load(&self) -> Load {
-        self.frame.scaling().map_or(self.load, |scaling| scaling.load(&self.load))
+        self.bodies.scaling().map_or(self.load, |scaling| scaling.load(&self.load))
     }
 
     /// How it is to be solved.
@@ -124,37 +124,37 @@ impl Problem {
     /// Whether it is stated in numbers without dimensions.
     #[must_use]
     pub fn is_dimensionless(&self) -> bool {
-        self.frame.scaling().is_none()
+        self.bodies.scaling().is_none()
     }
 
     /// The scales of a physical problem; none of a dimensionless one.
     #[must_use]
     pub fn scaling(&self) -> Option<&Scaling> {
-        self.frame.scaling()
+        self.bodies.scaling()
     }
 
     /// `theta0 = 2 a/(pi E* chi)`; of a smooth surface, where its scale is undefined, a number of internal use.
     #[must_use]
     pub fn theta0(&self) -> f64 {
-        self.frame.theta0()
+        self.bodies.theta0()
     }
 
     /// What the settlement is measured against.
     #[must_use]
     pub fn gauge(&self) -> &'static str {
-        self.frame.gauge()
+        self.bodies.gauge()
     }
 
     /// Name of the coordinate in the units of the problem: `x` or `xi`.
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
-        self.frame.coordinate()
+        self.bodies.coordinate()
     }
 
     /// Whether force and moment are those of a disk (N, N m), not per unit length.
     #[must_use]
     pub fn is_circular(&self) -> bool {
-        self.frame.is_circular()
+        self.bodies.is_circular()
     }
 
     /// The same problem under another load, in the units of the problem.
@@ -188,7 +188,7 @@ impl Problem {
     /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
-        let (profile, level) = self.profile().lowered(self.frame.half_width())?;
+        let (profile, level) = self.profile().lowered(self.bodies.half_width())?;
         let load = self.load.lowered(level, 0.0);
         let profile = match self.load.vertical.settlement() {
             // What rounding takes from the settlement is left to the heights.
@@ -202,14 +202,14 @@ impl Problem {
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
-        let height = self.profile().height(xi, self.frame.half_width());
-        height / self.frame.unit(Scaling::displacement)
+        let height = self.profile().height(xi, self.bodies.half_width());
+        height / self.bodies.unit(Scaling::displacement)
     }
 
     /// The same at many places, which must be finite.
     pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
-        let mut heights = self.profile().heights(places, self.frame.half_width());
-        let displacement = self.frame.unit(Scaling::displacement);
+        let mut heights = self.profile().heights(places, self.bodies.half_width());
+        let displacement = self.bodies.unit(Scaling::displacement);
         heights.iter_mut().for_each(|height| *height /= displacement);
         match heights.iter().position(|height| !height.is_finite()) {
             Some(place) => self.checked(places[place], heights[place]).map(|_| heights),
@@ -219,46 +219,46 @@ impl Problem {
 
     /// `df0/dxi`.
     pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
-        let slope = self.profile().slope(xi, self.frame.half_width())?;
-        Some(slope / self.frame.unit(Scaling::displacement))
+        let slope = self.profile().slope(xi, self.bodies.half_width())?;
+        Some(slope / self.bodies.unit(Scaling::displacement))
     }
 
     /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
-        let rise = self.profile().rise(c, xi - c, self.frame.half_width());
-        rise / self.frame.unit(Scaling::displacement)
+        let rise = self.profile().rise(c, xi - c, self.bodies.half_width());
+        rise / self.bodies.unit(Scaling::displacement)
     }
 
     /// Encloses `f0(xi)` on an interval, as [`Profile::enclose`] does.
     #[must_use]
     pub fn dimensionless_enclosure(&self, interval: [f64; 2]) -> Option<Interval> {
-        self.profile().enclose(interval, self.frame.half_width()).map(|range| self.scaled(range))
+        self.profile().enclose(interval, self.bodies.half_width()).map(|range| self.scaled(range))
     }
 
     /// Encloses the exact and the computed `f0(xi)` at one place, as [`Profile::enclose_at`] does.
     #[must_use]
     pub fn dimensionless_enclosure_at(&self, xi: f64) -> Option<Interval> {
-        let range = self.profile().enclose_at(xi, self.frame.half_width());
+        let range = self.profile().enclose_at(xi, self.bodies.half_width());
         range.map(|range| self.scaled(range))
     }
 
     /// Encloses `f0^(k)/k!` for `k` from 0 to `order` on an interval, as [`Profile::taylor`] does.
     #[must_use]
     pub fn dimensionless_taylor(&self, interval: [f64; 2], order: usize) -> Option<Vec<Interval>> {
-        let terms = self.profile().taylor(interval, order, self.frame.half_width())?;
+        let terms = self.profile().taylor(interval, order, self.bodies.half_width())?;
         Some(terms.into_iter().map(|term| self.scaled(term)).collect())
     }
 
     /// Where the base has to be cut so that polynomials of a degree resolve the profile, as [`Profile::resolve`] has it.
     #[must_use]
     pub fn resolution(&self, degree: usize, tolerance: f64) -> Resolution {
-        let half_width = self.frame.half_width();
-        self.profile().resolve(&self.frame.pieces(), half_width, degree, tolerance)
+        let half_width = self.bodies.half_width();
+        self.profile().resolve(&self.bodies.pieces(), half_width, degree, tolerance)
     }
 
     /// Heights without dimensions.
     fn scaled(&self, heights: Interval) -> Interval {
-        self.frame.scaling().map_or(heights, |scaling| {
+        self.bodies.scaling().map_or(heights, |scaling| {
             let displacement = scaling.displacement();
             heights.over(Interval::ends(displacement, displacement)).0
         })
@@ -266,19 +266,19 @@ impl Problem {
 
     /// Whether the base is proved to be its own mirror image, or its negative.
     pub(crate) fn reflection(&self) -> Reflection {
-        self.profile().reflection(self.frame.half_width())
+        self.profile().reflection(self.bodies.half_width())
     }
 
     /// Whether base and load are proved to be their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
         // A circular base is a body of revolution, or refused.
         self.load.rotational.named().1 == 0.0
-            && (self.frame.is_circular() || self.reflection().is_even)
+            && (self.bodies.is_circular() || self.reflection().is_even)
     }
 
     /// The relative error that is aimed at where no tolerance is given: `1e-12 max(1, theta0/10)`, of measured profiles `1e-10 max(1, theta0/100)`: rounding grows with `theta0`.
     pub(crate) fn aim(&self) -> f64 {
-        let theta0 = self.frame.theta0();
+        let theta0 = self.bodies.theta0();
         if self.profile().measured_points().is_some() {
             return 1e-10 * (theta0 / 100.0).max(1.0);
         }
@@ -287,7 +287,7 @@ impl Problem {
 
     /// Whether the base fills the whole period of a row.
     pub(crate) fn is_wave(&self) -> bool {
-        self.frame.geometry().is_wave(self.frame.half_width())
+        self.bodies.geometry().is_wave(self.bodies.half_width())
     }
 
     /// The profile resolved by a Chebyshev series in `xi`.
@@ -316,7 +316,7 @@ impl Problem {
         if self.solver.contact == ContactKind::Bilateral {
             return Ok(());
         }
-        self.load.check_balance(self.frame.half_width())?;
+        self.load.check_balance(self.bodies.half_width())?;
         let (Vertical::Force(scaled), Vertical::Force(force)) =
             (self.dimensionless_load().vertical, self.load.vertical)
         else {
@@ -334,7 +334,7 @@ impl Problem {
     }
 
     fn check_profile(&self) -> Result<(), Error> {
-        if let Some((xi, defect)) = self.profile().find_not_finite(self.frame.half_width()) {
+        if let Some((xi, defect)) = self.profile().find_not_finite(self.bodies.half_width()) {
             return Err(self.profile_not_finite(xi, defect));
         }
         // Scaling may overflow what is finite in the units of the file.
@@ -351,8 +351,8 @@ impl Problem {
 
     fn profile_not_finite(&self, xi: f64, defect: Defect) -> Error {
         Error::ProfileNotFinite {
-            variable: self.frame.coordinate(),
-            at: xi * self.frame.half_width(),
+            variable: self.bodies.coordinate(),
+            at: xi * self.bodies.half_width(),
             defect,
         }
     }

@@ -114,17 +114,17 @@ impl Convergence {
 
 /// Refuses what is not solved by the degenerate kernel.
 fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
-    let frame = problem.frame();
+    let bodies = problem.bodies();
     let solve = "solve it instead, its error is part of every answer";
-    let refused = if frame.geometry() != Geometry::Plane {
+    let refused = if bodies.geometry() != Geometry::Plane {
         Some(("the geometry is another", solve))
-    } else if frame.grading().is_some() {
+    } else if bodies.grading().is_some() {
         Some(("the ground is graded", solve))
-    } else if frame.layering().is_some() {
+    } else if bodies.layering().is_some() {
         Some(("the ground is layered", solve))
-    } else if frame.law() == Law::Smooth {
+    } else if bodies.law() == Law::Smooth {
         Some(("the surface is smooth", "give a roughness greater than zero"))
-    } else if frame.law() != Law::Linear {
+    } else if bodies.law() != Law::Linear {
         Some(("the layer follows a power law", solve))
     } else if problem.solver().contact == ContactKind::Unilateral && lifts_off(problem)? {
         let keep = "contact = \"bilateral\" keeps the full base in contact, and more force may";

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use serde::Serialize;
 
+use crate::bodies::Bodies;
 use crate::error::InverseError;
-use crate::frame::Frame;
 use crate::{Contact, Error, Geometry, Scaling};
 
 /// Nodes on either side of the middle of a piece, and how far they reach.
@@ -47,7 +47,7 @@ impl Contact {
     /// [`Error::InvalidValue`] for a distance that is zero or not finite and a depth that is not positive; [`Error::Inverse`] for an elastic punch, which
     /// has a gauge of its own, and for a depth where that solution is not known: dimensionless problems (`nu`), graded foundations, circular and periodic geometries.
     pub fn relative_settlement(&self, datum: Datum) -> Result<RelativeSettlement, Error> {
-        let frame = self.problem().frame();
+        let bodies = self.problem().bodies();
         if self.problem().punch().body().is_some() {
             let words = "a datum belongs to a rigid punch: the settlement of an elastic one is the approach of two bodies";
             return Err(InverseError::Unsuited(words).into());
@@ -57,9 +57,9 @@ impl Contact {
                 let given = x.is_finite() && x != 0.0;
                 crate::error::require(given, "datum distance", x, "finite and other than zero")?;
                 // Beyond one period a row repeats itself.
-                let x = match frame.geometry() {
+                let x = match bodies.geometry() {
                     Geometry::Periodic { period } => {
-                        let period = period * (self.half_width() / frame.half_width());
+                        let period = period * (self.half_width() / bodies.half_width());
                         x - period * (x / period).round()
                     }
                     _ => x,
@@ -78,10 +78,10 @@ impl Contact {
 
     fn displacement_at_depth(&self, depth: f64) -> Result<f64, Error> {
         crate::error::positive("datum depth", depth)?;
-        let frame = self.problem().frame();
-        let plane = matches!(frame.geometry(), Geometry::Plane | Geometry::Pair { .. });
-        let (Frame::Physical { foundation, grading: None, layering: None, .. }, true) =
-            (frame, plane)
+        let bodies = self.problem().bodies();
+        let plane = matches!(bodies.geometry(), Geometry::Plane | Geometry::Pair { .. });
+        let (Bodies::Physical { foundation, grading: None, layering: None, .. }, true) =
+            (bodies, plane)
         else {
             let words = "a datum in the depth belongs to a physical problem of plane punches on a homogeneous foundation; elsewhere give a distance";
             return Err(InverseError::Unsuited(words).into());
@@ -92,13 +92,13 @@ impl Contact {
             let r = s.hypot(y);
             share * (y / r).powi(2) - r.ln()
         };
-        let given = frame.theta0() * self.carried(&kernel);
+        let given = bodies.theta0() * self.carried(&kernel);
         Ok(given * self.scale(Scaling::displacement))
     }
 
     /// `int k(xi) p0(xi) dxi` for a kernel that may change fast around the middle.
     fn carried(&self, kernel: &dyn Fn(f64) -> f64) -> f64 {
-        let mut cuts = self.problem().profile().breakpoints(self.problem().frame().half_width());
+        let mut cuts = self.problem().profile().breakpoints(self.problem().bodies().half_width());
         cuts.push(0.0);
         cuts.sort_by(f64::total_cmp);
         let mut sum = 0.0;

@@ -28,8 +28,8 @@ impl SurfaceCurve {
     pub fn new(contact: &Contact, count: usize) -> Result<Self, Error> {
         crate::error::require(count >= 2, "surface", count as f64, "at least 2 points")?;
         let last = (count - 1) as f64;
-        let frame = contact.problem().frame();
-        let reach = match frame.geometry().scaled(frame.half_width()) {
+        let bodies = contact.problem().bodies();
+        let reach = match bodies.geometry().scaled(bodies.half_width()) {
             Geometry::Periodic { period } => REACH.min(0.5 * period),
             _ => REACH,
         };

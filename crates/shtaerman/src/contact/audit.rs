@@ -111,7 +111,7 @@ impl Contact {
         let problem = self.solved();
         let (settlement, level) = self.solved_settlement();
         let bare = self.dimensionless();
-        let frame = problem.frame();
+        let bodies = problem.bodies();
         let load = problem.dimensionless_load();
         let (prescribed, is_load_own) = prescribed(&load, bare.force(), bare.moment());
         // A wave cannot tilt, and what is its own mirror image does not.
@@ -121,7 +121,7 @@ impl Contact {
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
         let zones = bare.zones();
         let zones = if problem.is_wave() { within_period(&zones) } else { zones };
-        let cuts = problem.profile().joints(frame.half_width()).into_iter();
+        let cuts = problem.profile().joints(bodies.half_width()).into_iter();
         let cuts = crate::order::ascending(cuts.chain(problem.resolution(DEGREE, RESOLVED).joints));
         let pressure = |xi: f64| self.pressure_at(xi);
         let answer = Answer {
@@ -204,15 +204,15 @@ impl Contact {
         answer: &Answer<'_>,
     ) -> Result<(Bound, bool), Unaudited> {
         let problem = self.solved();
-        let frame = problem.frame();
-        let scaled = |size: f64| if frame.scaling().is_some() { size } else { 0.0 };
+        let bodies = problem.bodies();
+        let scaled = |size: f64| if bodies.scaling().is_some() { size } else { 0.0 };
         let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
         let profile = &Base(problem);
-        let pieces = frame.pieces();
+        let pieces = bodies.pieces();
         let plane = |kernel, ground, strength: f64, size| shtaerman_audit::Problem {
             kernel,
             ground,
-            theta: strength * frame.theta0(),
+            theta: strength * bodies.theta0(),
             scaled: scaled(size),
             pieces: &pieces,
             is_bilateral,
@@ -232,7 +232,7 @@ impl Contact {
             &Posed::Disk(exponent, layer) => {
                 let posed = DiskProblem {
                     exponent,
-                    theta: frame.theta0(),
+                    theta: bodies.theta0(),
                     layer,
                     scaled: scaled(OF_A_VALUE + GRADED * exponent.min(1.0)),
                     is_bilateral,

@@ -71,10 +71,10 @@ impl Problem {
     /// [`Error::NoReference`] with the reason.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
         let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
-        let displacement = self.frame().unit(Scaling::displacement);
+        let displacement = self.bodies().unit(Scaling::displacement);
         let height = |xi: f64| problem.dimensionless_profile(xi);
         let layering =
-            self.frame().layering().map(|on| on.clone().scaled(self.frame().half_width()));
+            self.bodies().layering().map(|on| on.clone().scaled(self.bodies().half_width()));
         let influence = layering.as_ref().map(influence);
         let posed = Posing::new(&problem, level / displacement, &height, influence.as_deref());
         posed
@@ -158,31 +158,31 @@ impl<'a> Posing<'a> {
         height: &'a dyn Fn(f64) -> f64,
         influence: Option<&'a dyn Fn(f64) -> f64>,
     ) -> Result<Self, Refusal> {
-        let frame = problem.frame();
-        let layer = match frame.law() {
+        let bodies = problem.bodies();
+        let layer = match bodies.law() {
             Law::Linear => Layer::Linear,
             Law::Power(exponent) => Layer::Power { exponent },
             Law::Smooth => Layer::None,
         };
-        let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-        let (kernel, pieces) = match frame.geometry().scaled(frame.half_width()) {
+        let exponent = bodies.grading().map_or(0.0, |grading| grading.exponent());
+        let (kernel, pieces) = match bodies.geometry().scaled(bodies.half_width()) {
             Geometry::Circular if influence.is_some() => {
                 return Err(Refusal::NotCovered(
                     "the reference has no kernel of a layer under a circular punch",
                 ));
             }
             Geometry::Circular => (Kernel::Disk { exponent, harmonic: 0 }, vec![[0.0, 1.0]]),
-            Geometry::Periodic { period } => (Kernel::Row { period }, frame.pieces()),
+            Geometry::Periodic { period } => (Kernel::Row { period }, bodies.pieces()),
             Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
-                (Kernel::Power { exponent }, frame.pieces())
+                (Kernel::Power { exponent }, bodies.pieces())
             }
             Geometry::Plane | Geometry::Pair { .. } => {
-                (influence.map_or(Kernel::Logarithm, Kernel::Plane), frame.pieces())
+                (influence.map_or(Kernel::Logarithm, Kernel::Plane), bodies.pieces())
             }
         };
         // What a remainder does within a panel, quadrature on longer ones would miss.
-        let own = frame.layering().filter(|on| on.remainder().is_some());
-        let own = own.and_then(|on| layered_plane(&on.clone().scaled(frame.half_width())).ok());
+        let own = bodies.layering().filter(|on| on.remainder().is_some());
+        let own = own.and_then(|on| layered_plane(&on.clone().scaled(bodies.half_width())).ok());
         let bends = own.map(|kernel| kernel.bend());
         let load = problem.dimensionless_load();
         // A wave cannot tilt.
@@ -193,7 +193,7 @@ impl<'a> Posing<'a> {
         };
         Ok(Self {
             kernel,
-            theta: frame.theta0(),
+            theta: bodies.theta0(),
             layer,
             breaks: breaks(problem, &pieces, bends),
             pieces,
@@ -362,7 +362,7 @@ impl<'a> Posing<'a> {
             let xi = if matches!(self.kernel, Kernel::Disk { .. }) { xi.abs() } else { xi };
             self.breaks.iter().any(|cut| cut.is_sharp && (cut.at - xi).abs() < INSIDE)
         };
-        let pieces = contact.problem().frame().pieces();
+        let pieces = contact.problem().bodies().pieces();
         places.retain(|xi| {
             pieces.iter().any(|[left, right]| left <= xi && xi <= right) && !is_jump(*xi)
         });
@@ -402,7 +402,7 @@ fn solve<'p>(posed: &'p Posed<'p>, zones: &[[f64; 2]]) -> Result<Reference<'p>, 
 /// Where panels end: the switches and hidden kinks of the profile, its measured points, the surroundings of what no sample may show, and evenly where an influence function bends within less than the
 /// base.
 fn breaks(problem: &Problem, pieces: &[[f64; 2]], bends: Option<f64>) -> Vec<Break> {
-    let half_width = problem.frame().half_width();
+    let half_width = problem.bodies().half_width();
     let resolution = problem.resolution(DEGREE, RESOLVED);
     let sharp = problem.profile().breakpoints(half_width).into_iter().chain(resolution.singular);
     let mut found: Vec<Break> = sharp.map(|at| Break { at, is_sharp: true }).collect();

@@ -88,7 +88,7 @@ impl Curve<'_> {
         let force = log.exp();
         let load =
             Load { vertical: Vertical::Force(force), rotational: Rotational::Eccentricity(self.e) };
-        let unit = self.problem.frame().unit(Scaling::force);
+        let unit = self.problem.bodies().unit(Scaling::force);
         let given = Load { vertical: Vertical::Force(force * unit), ..*self.problem.load() };
         let contact = self.problem.under(given).solve_as_given().ok()?;
         let [raise, _] = contact.solution().stiffness().displaced(&load, [1.0, 0.0]);
@@ -133,12 +133,12 @@ impl Curve<'_> {
         let problem = self.problem;
         let depth = |xi: f64| (self.settlement - problem.dimensionless_profile(xi)).abs();
         let deepest = self.places().map(depth).fold(f64::MIN_POSITIVE, f64::max);
-        deepest / (1.0 + problem.frame().theta0())
+        deepest / (1.0 + problem.bodies().theta0())
     }
 
     /// Places of the base.
     fn places(&self) -> impl Iterator<Item = f64> {
-        let pieces = self.problem.frame().pieces();
+        let pieces = self.problem.bodies().pieces();
         pieces.into_iter().flat_map(|[left, right]| {
             (0..=SAMPLES).map(move |i| left + (right - left) * i as f64 / SAMPLES as f64)
         })
@@ -199,14 +199,14 @@ impl Curve<'_> {
     }
 
     fn out_of_reach(&self, excess: f64) -> Error {
-        let frame = self.problem.frame();
+        let bodies = self.problem.bodies();
         if self.is_clear() {
             return Error::NoContact;
         }
-        let unit = frame.unit(Scaling::displacement);
+        let unit = bodies.unit(Scaling::displacement);
         Error::SettlementOutOfReach {
             value: self.settlement * unit,
-            eccentricity: self.e * frame.half_width(),
+            eccentricity: self.e * bodies.half_width(),
             limit: (self.settlement + excess) * unit,
             bound: if excess > 0.0 { "less deep" } else { "deeper" },
         }

@@ -31,7 +31,8 @@ impl Setting {
     /// The largest rounding of the dimensionless heights in the zones of contact, and the largest of these.
     fn height_rounding(&self, zones: &[[f64; 2]]) -> [f64; 2] {
         let steps = (PLACES / zones.len().max(1)).max(1);
-        let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
+        let (profile, half_width) =
+            (self.problem().profile(), self.problem().bodies().half_width());
         let [mut rounding, mut largest] = [0.0f64; 2];
         for [left, right] in zones {
             for i in 0..steps {
@@ -44,7 +45,7 @@ impl Setting {
                 }
             }
         }
-        let scale = self.problem().frame().unit(Scaling::displacement);
+        let scale = self.problem().bodies().unit(Scaling::displacement);
         [rounding / scale, largest / scale]
     }
 
@@ -52,7 +53,8 @@ impl Setting {
     /// one twice as far, up to half the zone.
     fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
         let count = f64::MANTISSA_DIGITS as usize;
-        let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
+        let (profile, half_width) =
+            (self.problem().profile(), self.problem().bodies().half_width());
         let mut most = 0.0f64;
         for [left, right] in zones {
             for (end, inwards) in [(left, 1.0), (right, -1.0)] {
@@ -73,7 +75,7 @@ impl Setting {
                 }
             }
         }
-        most / self.problem().frame().unit(Scaling::displacement)
+        most / self.problem().bodies().unit(Scaling::displacement)
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
@@ -81,7 +83,7 @@ impl Setting {
         if error == 0.0 {
             return 0.0;
         }
-        let law = self.problem().frame().law();
+        let law = self.problem().bodies().law();
         at_ends(solution, |length, pressure| {
             let distance = |k: i32| length * 0.5f64.powi(k);
             let layer = |k: i32| law.displacement(pressure(distance(k)).max(0.0));
@@ -123,14 +125,14 @@ impl Setting {
         let coupling = if tilted == 0.0 { 0.0 } else { solution.stiffness().coupling };
         let turned = zones.as_flattened().iter().map(at_end).fold(0.0, f64::max);
         let free = solution.edge_error().is_some();
-        let law = self.problem().frame().law();
+        let law = self.problem().bodies().law();
         let (pressure, edges) = match law {
             // The pressure follows from slopes, and a given settlement counts from heights.
             Law::Smooth if matches!(self.problem().load().vertical, Vertical::Force(_)) => {
                 (0.0, 0.0)
             }
             Law::Smooth => {
-                let is_round = self.problem().frame().is_circular();
+                let is_round = self.problem().bodies().is_circular();
                 let measure = |[left, right]: &[f64; 2]| {
                     if is_round {
                         0.5 * std::f64::consts::PI * (right * right.abs() - left * left.abs())

@@ -28,7 +28,7 @@ impl Contact {
     /// [`beta = (1-mu)/2`](crate::Foundation::corner_exponent).
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let root = self.half_width().powf(self.problem().frame().corner_exponent());
+        let root = self.half_width().powf(self.problem().bodies().corner_exponent());
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())
@@ -50,14 +50,14 @@ impl Contact {
     #[must_use]
     pub fn implied_edge_pressures(&self) -> Option<Vec<[f64; 2]>> {
         let problem = self.problem();
-        let frame = problem.frame();
-        let is_plane = frame.geometry() != Geometry::Circular && frame.is_homogeneous();
-        if !is_plane || frame.law() != Law::Linear || frame.theta0() == 0.0 {
+        let bodies = problem.bodies();
+        let is_plane = bodies.geometry() != Geometry::Circular && bodies.is_homogeneous();
+        if !is_plane || bodies.law() != Law::Linear || bodies.theta0() == 0.0 {
             return None;
         }
         let intensities = self.corners_without_roughness(|| without_roughness(problem))?;
         // E* chi = 2 a/(pi theta0)
-        let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();
+        let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * bodies.theta0()).sqrt();
         Some(intensities.iter().map(|ends| ends.map(|intensity| unit * intensity)).collect())
     }
 }

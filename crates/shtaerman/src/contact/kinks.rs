@@ -33,8 +33,8 @@ impl Kink {
 
 /// The kinks inside zones of a smooth, homogeneous body; none on graded ground, where the pressure is `|d|^mu` more regular, or under a layer.
 pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
-    let frame = problem.frame();
-    if frame.law() != Law::Smooth || frame.grading().is_some() {
+    let bodies = problem.bodies();
+    if bodies.law() != Law::Smooth || bodies.grading().is_some() {
         return Vec::new();
     }
     // `xi` from one end of a base to the other.
@@ -56,7 +56,7 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
         let rounding = f64::EPSILON * xi.abs().max(right - left);
         Some(Kink { xi, rounding, period, pressure, is_cusp })
     };
-    let places = problem.profile().breakpoints(frame.half_width());
+    let places = problem.profile().breakpoints(bodies.half_width());
     places.into_iter().chain(period.map(|_| 1.0)).filter_map(kink).collect()
 }
 
@@ -76,7 +76,7 @@ impl Jump {
 
 /// The jump of the slope, if there is one.
 pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
-    let half_width = problem.frame().half_width();
+    let half_width = problem.bodies().half_width();
     let at = |xi: f64| {
         let beyond_seam = problem.is_wave() && xi > 1.0;
         problem.profile().slope(if beyond_seam { xi - 2.0 } else { xi }, half_width)

@@ -29,7 +29,7 @@ impl Contact {
         let zone = zones.find(|[left, right]| *left < start && start < *right);
         let Some([left, right]) = zone else { return exact };
         let step = STEP * (right - left);
-        let half_width = self.problem().frame().half_width();
+        let half_width = self.problem().bodies().half_width();
         let is_near = |at: f64| (at - start).abs() < REACH * step;
         let breaks = self.problem().profile().breakpoints(half_width);
         if is_near(left) || is_near(right) || breaks.into_iter().any(is_near) {
@@ -90,10 +90,10 @@ impl Contact {
     /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
     pub(crate) fn has_smooth_peak(&self) -> bool {
         let (value, peak) = self.peak();
-        let (profile, frame) = (self.problem().profile(), self.problem().frame());
+        let (profile, bodies) = (self.problem().profile(), self.problem().bodies());
         let is_kink = |at: &f64| (at - peak).abs() < CLOSE && jump(self.problem(), *at).is_some();
-        let is_cusp = || profile.breakpoints(frame.half_width()).iter().any(is_kink);
-        value.is_finite() && (frame.law() != Law::Smooth || !is_cusp())
+        let is_cusp = || profile.breakpoints(bodies.half_width()).iter().any(is_kink);
+        value.is_finite() && (bodies.law() != Law::Smooth || !is_cusp())
     }
 
     /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.

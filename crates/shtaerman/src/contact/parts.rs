@@ -69,7 +69,7 @@ impl Problem {
             return Parts { joints: Vec::new(), smoothness: Smoothness::Bent };
         }
         if self.profile().is_closure() {
-            let joints = self.profile().breakpoints(self.frame().half_width());
+            let joints = self.profile().breakpoints(self.bodies().half_width());
             return Parts { joints, smoothness: Smoothness::Bent };
         }
         let found = self.resolution(DEGREE, RESOLVED);
@@ -78,7 +78,7 @@ impl Problem {
         if smoothness == Smoothness::Proved && parts.are_many() && are_alike(&parts.joints) {
             // Waves all over the base are seen by samples, and need no cuts of their own.
             let singular = found.singular.into_iter().filter(|at| parts.joints.contains(at));
-            let joints = self.profile().breakpoints(self.frame().half_width());
+            let joints = self.profile().breakpoints(self.bodies().half_width());
             let joints = crate::order::ascending(joints.into_iter().chain(singular));
             return Parts { joints, smoothness: Smoothness::Bent };
         }

@@ -28,22 +28,22 @@ impl Posed {
 
 /// What a contact asks of the audit, or why it has none.
 pub(super) fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
-    let frame = problem.frame();
+    let bodies = problem.bodies();
     if problem.profile().is_closure() {
         return Err(Unaudited::NotCovered(
             "the profile is a closure, of which nothing is known between samples",
         ));
     }
-    let Some(layer) = frame.law().exponent() else {
+    let Some(layer) = bodies.law().exponent() else {
         return Err(Unaudited::NotCovered(
             "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
         ));
     };
-    if let Some(layering) = frame.layering() {
-        return layered(problem, &layering.clone().scaled(frame.half_width()), layer);
+    if let Some(layering) = bodies.layering() {
+        return layered(problem, &layering.clone().scaled(bodies.half_width()), layer);
     }
-    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-    let geometry = frame.geometry().scaled(frame.half_width());
+    let exponent = bodies.grading().map_or(0.0, |grading| grading.exponent());
+    let geometry = bodies.geometry().scaled(bodies.half_width());
     if geometry == Geometry::Circular {
         return Ok(Posed::Disk(exponent, layer));
     }
@@ -59,7 +59,7 @@ pub(super) fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
 
 /// What a contact on a layer, under a coating or on an influence function asks of the audit, or why it has none.
 fn layered(problem: &Problem, layering: &Layering, layer: f64) -> Result<Posed, Unaudited> {
-    if problem.frame().geometry() == Geometry::Circular {
+    if problem.bodies().geometry() == Geometry::Circular {
         return Err(Unaudited::NotCovered(
             "the residual on a layer under a circular punch is not bounded yet: its errors are estimates of the method",
         ));

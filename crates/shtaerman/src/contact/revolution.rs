@@ -8,7 +8,7 @@ use crate::{Error, Problem, WarningCode};
 
 /// Refuses the base of a circular punch that is no body of revolution.
 pub(super) fn require_even(problem: &Problem) -> Result<(), Error> {
-    let unevenness = problem.profile().unevenness(problem.frame().half_width(), STAGNANT);
+    let unevenness = problem.profile().unevenness(problem.bodies().half_width(), STAGNANT);
     require(
         unevenness.found <= unevenness.negligible,
         "profile",
@@ -21,15 +21,15 @@ pub(super) fn require_even(problem: &Problem) -> Result<(), Error> {
 impl Warning {
     /// The base of a circular punch is not proved to be even; none where it is.
     pub(super) fn evenness_not_proved(problem: &Problem) -> Option<Self> {
-        let frame = problem.frame();
-        if !frame.is_circular() {
+        let bodies = problem.bodies();
+        if !bodies.is_circular() {
             return None;
         }
-        let unevenness = problem.profile().unevenness(frame.half_width(), STAGNANT);
+        let unevenness = problem.profile().unevenness(bodies.half_width(), STAGNANT);
         if unevenness.is_negligible() {
             return None;
         }
-        let length = if frame.scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
+        let length = if bodies.scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
         let bound = if unevenness.at_most.is_finite() {
             format!("at most {}", engineering(unevenness.at_most, length))
         } else {
@@ -38,7 +38,7 @@ impl Warning {
         let message = format!(
             "the base is not proved to be even in {}: its halves differ by {} at the places compared and by {bound} elsewhere, and the right one is taken; a formula in r or \
              rho, in even powers or in abs({0}) is proved",
-            frame.coordinate(),
+            bodies.coordinate(),
             engineering(unevenness.found, length),
         );
         Some(Self { code: WarningCode::EvennessNotProved, message })

@@ -34,11 +34,11 @@ enum Route {
 
 impl Route {
     fn of(setting: &Setting) -> Self {
-        let frame = setting.problem().frame();
-        match frame.law() {
+        let bodies = setting.problem().bodies();
+        match bodies.law() {
             Law::Smooth => Self::Smooth,
             _ if setting.is_unilateral() => Self::Lifting,
-            Law::Linear if frame.is_homogeneous() && frame.geometry() == Geometry::Plane => {
+            Law::Linear if bodies.is_homogeneous() && bodies.geometry() == Geometry::Plane => {
                 Self::PlainBase
             }
             _ => Self::WholeBase,

@@ -67,14 +67,14 @@ impl Setting {
         if points == 0 || points > MOST_CUTS {
             return self.parts().clone();
         }
-        let mut joints = profile.joints(self.problem().frame().half_width());
+        let mut joints = profile.joints(self.problem().bodies().half_width());
         joints.sort_by(f64::total_cmp);
         Parts { joints, smoothness: Smoothness::Proved }
     }
 
     /// Whether the surface is rough and nothing is proved of the profile between samples.
     pub(super) fn has_unknown_layer(&self) -> bool {
-        let is_rough = self.problem().frame().law() != Law::Smooth;
+        let is_rough = self.problem().bodies().law() != Law::Smooth;
         is_rough && self.parts().smoothness == Smoothness::Unknown
     }
 }

@@ -70,7 +70,7 @@ impl Problem {
     /// The solution with heights counted from the level of the base, and put back there.
     fn solve_at_level(&self) -> Result<Contact, Error> {
         let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
-        let level0 = level / self.frame().unit(Scaling::displacement);
+        let level0 = level / self.bodies().unit(Scaling::displacement);
         match lowered.solve_as_given() {
             Ok(contact) => Ok(contact.with_level(self, level0)),
             Err(error) => Err(error.with_level(level, level0)),
@@ -80,7 +80,7 @@ impl Problem {
     /// The solution with heights as they are.
     pub(super) fn solve_as_given(&self) -> Result<Contact, Error> {
         if let Some((settlement, e)) = self.settlement_at_eccentricity()
-            && self.frame().law() != Law::Smooth
+            && self.bodies().law() != Law::Smooth
         {
             return self.solve_at_eccentricity(settlement, e);
         }
@@ -100,7 +100,7 @@ impl Problem {
         let of_heights = setting.of_heights(found.solution.as_ref());
         let contact = Contact::new(setting, found, of_heights)?;
         let [displacement, pressure] = [Scaling::displacement, Scaling::pressure]
-            .map(|unit: fn(&Scaling) -> f64| self.frame().unit(unit));
+            .map(|unit: fn(&Scaling) -> f64| self.bodies().unit(unit));
         Ok((contact.with_level(self, level / displacement), edge * pressure))
     }
 }
@@ -120,7 +120,7 @@ fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     require_explained(solution.complementarity(), reached)?;
     let is_unknown = setting.has_unknown_layer();
     let mut contact = Contact::new(setting, found, of_heights)?;
-    let frame = contact.problem().frame().clone();
+    let bodies = contact.problem().bodies().clone();
     for code in Contact::PLACED {
         contact.warn(contact.placed_warning(code, &OutputUnits::default()));
     }
@@ -129,7 +129,7 @@ fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     contact.warn((is_free && reached > AIM).then(|| Warning::tolerance_not_met(AIM, reached)));
     if method.name == MethodName::Spectral {
         contact.warn(profile_error.map(Warning::profile_not_resolved));
-        contact.warn(Warning::low_degree(method.n, frame.theta0()));
+        contact.warn(Warning::low_degree(method.n, bodies.theta0()));
     }
     Ok(contact)
 }

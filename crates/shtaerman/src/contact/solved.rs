@@ -148,7 +148,7 @@ impl Contact {
             let sampled = Sampled::new(|xi| contact.pressure_at(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
-        let is_round = problem.frame().is_circular() && contact.is_level();
+        let is_round = problem.bodies().is_circular() && contact.is_level();
         let peak = contact.peak_under_breaks(peak);
         let place = if is_round { peak.place.abs() } else { peak.place };
         let peak = Extreme { place, ..peak };
@@ -195,7 +195,7 @@ impl Contact {
     /// The largest pressure, or that under a break of the base if it is larger: a cusp is too narrow for a search.
     fn peak_under_breaks(&self, found: Extreme) -> Extreme {
         let breaks =
-            self.record.problem.profile().breakpoints(self.record.problem.frame().half_width());
+            self.record.problem.profile().breakpoints(self.record.problem.bodies().half_width());
         let under =
             breaks.into_iter().take(MOST_CUTS).filter(|xi| self.record.solution.touches(*xi));
         let peaks = under.map(|place| Extreme { place, value: self.pressure_at(place) });
@@ -388,7 +388,7 @@ impl Contact {
             ("pressure at the right edge", self.pressure_right()),
         ] {
             // At a corner of a smooth body the pressure is infinite, and a wave in full contact does not yield.
-            let may_be_infinite = self.problem().frame().law() == Law::Smooth
+            let may_be_infinite = self.problem().bodies().law() == Law::Smooth
                 && (quantity.starts_with("pressure ") || quantity == "stiffness");
             if value.is_nan() || value.is_infinite() && !may_be_infinite {
                 return Err(Error::Overflow { quantity, value });
@@ -410,7 +410,7 @@ impl Contact {
         let sizes = self.record.state.sizes(largest);
         if let Some(audit) = self.found_audit() {
             // Its settlement is that of the problem itself, counted from no level; the gauge of the plane can take away what the layer gives, which is a part of it.
-            let layer = self.problem().frame().law().displacement(largest);
+            let layer = self.problem().bodies().law().displacement(largest);
             let displacement = sizes.displacement.max(self.state().settlement.abs()).max(layer);
             return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }

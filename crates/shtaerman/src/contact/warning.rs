@@ -8,7 +8,7 @@ use super::Contact;
 use super::complementarity::Complementarity;
 use super::intervals::SLIVER;
 use super::kinks::Kink;
-use crate::frame::Frame;
+use crate::bodies::Bodies;
 use crate::material;
 use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering};
 
@@ -83,12 +83,12 @@ const LAYER_DEGREES: f64 = 4.0;
 const MOST_PLACES: usize = 6;
 
 /// A coordinate in the units of the problem, or in those chosen.
-fn position(frame: &Frame, units: &OutputUnits, xi: f64) -> String {
+fn position(bodies: &Bodies, units: &OutputUnits, xi: f64) -> String {
     // A rounded zero.
     if xi.abs() < SLIVER {
         return "0".to_owned();
     }
-    match frame.scaling() {
+    match bodies.scaling() {
         Some(scaling) => units.shown(xi * scaling.half_width(), Measure::Length),
         None => engineering(xi, Dimension::NONE),
     }
@@ -110,15 +110,15 @@ impl Contact {
 
     /// One of those, with lengths in these units.
     pub(super) fn placed_warning(&self, code: WarningCode, units: &OutputUnits) -> Option<Warning> {
-        let frame = self.problem().frame();
+        let bodies = self.problem().bodies();
         match code {
             WarningCode::NegativePressure => {
-                Warning::negative_pressure(frame, units, self.tension_at())
+                Warning::negative_pressure(bodies, units, self.tension_at())
             }
             WarningCode::SingularEdge => {
-                Warning::singular_edge(frame, units, &self.singular_corners())
+                Warning::singular_edge(bodies, units, &self.singular_corners())
             }
-            WarningCode::SingularKink => Warning::singular_kink(frame, units, self.kinks()),
+            WarningCode::SingularKink => Warning::singular_kink(bodies, units, self.kinks()),
             _ => None,
         }
     }
@@ -146,15 +146,15 @@ impl Warning {
 
     /// The pressure is negative on these intervals of `xi`; none if there are none.
     pub(super) fn negative_pressure(
-        frame: &Frame,
+        bodies: &Bodies,
         units: &OutputUnits,
         tension: &[[f64; 2]],
     ) -> Option<Self> {
         if tension.is_empty() {
             return None;
         }
-        let shown = |xi: f64| position(frame, units, xi);
-        let variable = frame.coordinate();
+        let shown = |xi: f64| position(bodies, units, xi);
+        let variable = bodies.coordinate();
         let places = listed(tension, "intervals", |[left, right]| {
             format!("{variable} = {} to {}", shown(*left), shown(*right))
         });
@@ -166,23 +166,23 @@ impl Warning {
 
     /// The pressure is infinite at these `xi`, with these corner intensities in the units of the problem; none if there are none.
     pub(super) fn singular_edge(
-        frame: &Frame,
+        bodies: &Bodies,
         units: &OutputUnits,
         corners: &[(f64, f64)],
     ) -> Option<Self> {
         if corners.is_empty() {
             return None;
         }
-        let intensity = match frame.scaling() {
-            Some(_) => frame.corner_unit(),
+        let intensity = match bodies.scaling() {
+            Some(_) => bodies.corner_unit(),
             None => DisplayUnit::NUMBER,
         };
         let places = listed(corners, "corners", |(xi, k)| {
             let k = engineering(*k, intensity.clone());
-            format!("{} = {} (K = {k})", frame.coordinate(), position(frame, units, *xi))
+            format!("{} = {} (K = {k})", bodies.coordinate(), position(bodies, units, *xi))
         });
-        let meaning = if frame.grading().is_some() {
-            let beta = engineering(frame.corner_exponent(), Dimension::NONE);
+        let meaning = if bodies.grading().is_some() {
+            let beta = engineering(bodies.corner_exponent(), Dimension::NONE);
             format!("K = lim sqrt(2 pi) d^{beta} p at the distance d")
         } else {
             "K = lim sqrt(2 pi d) p at the distance d: with a roughness chi it would be about K/sqrt(E* chi)"
@@ -196,7 +196,7 @@ impl Warning {
 
     /// The pressure is infinite under these kinks; none if there are none.
     pub(super) fn singular_kink(
-        frame: &Frame,
+        bodies: &Bodies,
         units: &OutputUnits,
         kinks: &[Kink],
     ) -> Option<Self> {
@@ -205,7 +205,7 @@ impl Warning {
             return None;
         }
         let places = listed(&kinks, "places", |kink| {
-            format!("{} = {}", frame.coordinate(), position(frame, units, kink.xi))
+            format!("{} = {}", bodies.coordinate(), position(bodies, units, kink.xi))
         });
         let growth = match kinks.iter().any(|kink| kink.is_cusp) {
             true => "as a power of the distance where the base has a cusp, else as its logarithm",
@@ -319,11 +319,11 @@ mod tests {
     fn names_places_as_people_write_them() {
         let steel = Elastic::new(200e9, 0.3).unwrap();
         let steel = Foundation::new(steel).with_roughness(1.2e-14).unwrap();
-        let physical = Frame::new(&steel, &Punch::new(5e-3).unwrap()).unwrap();
+        let physical = Bodies::new(&steel, &Punch::new(5e-3).unwrap()).unwrap();
         let bare = Foundation::dimensionless(1.0).unwrap();
-        let bare = Frame::new(&bare, &Punch::new(1.0).unwrap()).unwrap();
+        let bare = Bodies::new(&bare, &Punch::new(1.0).unwrap()).unwrap();
         let units = OutputUnits::default();
-        for (frame, tension, said) in [
+        for (bodies, tension, said) in [
             (&physical, [[-1.0, -2.67e-16]].as_slice(), "at x = -5 mm to 0:"),
             (&physical, &[[0.5, 1.0]], "at x = 2.5 mm to 5 mm:"),
             (
@@ -333,7 +333,7 @@ mod tests {
             ),
             (&bare, &[[0.0, 0.1]; 9], "and 3 more intervals:"),
         ] {
-            let warning = Warning::negative_pressure(frame, &units, tension).unwrap();
+            let warning = Warning::negative_pressure(bodies, &units, tension).unwrap();
             assert!(warning.message.contains(said), "{}", warning.message);
         }
         assert_eq!(Warning::negative_pressure(&bare, &units, &[]), None);

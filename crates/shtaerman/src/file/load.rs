@@ -1,11 +1,11 @@
 //! `[load]`, and the load keys of `[dimensionless]`.
 
+use crate::bodies::Bodies;
 use crate::document::{Field, FileError, TableReader};
-use crate::frame::Frame;
 use crate::quantity::Dimension;
 use crate::{Load, Rotational, Vertical};
 
-pub(super) fn read(table: &TableReader<'_>, frame: &Frame) -> Result<Load, FileError> {
+pub(super) fn read(table: &TableReader<'_>, bodies: &Bodies) -> Result<Load, FileError> {
     let vertical = table.exactly_one(&["force", "settlement"])?;
     let rotational = table.exactly_one(&["moment", "eccentricity", "tilt"]).map_err(|error| {
         match error.help() {
@@ -13,13 +13,13 @@ pub(super) fn read(table: &TableReader<'_>, frame: &Frame) -> Result<Load, FileE
             None => error.with_help("moment = 0 is a central load"),
         }
     })?;
-    let [force, moment] = if frame.is_circular() {
+    let [force, moment] = if bodies.is_circular() {
         [Dimension::FORCE, Dimension::MOMENT]
     } else {
         [Dimension::FORCE_PER_LENGTH, Dimension::MOMENT_PER_LENGTH]
     };
     let value = |field: &Field<'_>, dimension| {
-        if frame.scaling().is_some() {
+        if bodies.scaling().is_some() {
             field.quantity(dimension)
         } else {
             field.quantity(Dimension::NONE)

@@ -1,14 +1,14 @@
 //! `[output]`: the units in which results are shown.
 
+use crate::bodies::Bodies;
 use crate::document::{Field, FileError, TableReader};
-use crate::frame::Frame;
 use crate::quantity::{Measure, OutputUnits};
 
 /// The units of `[output]`; SI where there are none.
-pub(super) fn read(reader: &TableReader<'_>, frame: &Frame) -> Result<OutputUnits, FileError> {
+pub(super) fn read(reader: &TableReader<'_>, bodies: &Bodies) -> Result<OutputUnits, FileError> {
     let Some(table) = reader.table("output")? else { return Ok(OutputUnits::default()) };
     let Some(field) = table.optional("units") else { return Ok(OutputUnits::default()) };
-    if frame.scaling().is_none() {
+    if bodies.scaling().is_none() {
         return Err(field.error("has no place in a dimensionless problem: its numbers have none"));
     }
     if !field.is_table() {
@@ -19,7 +19,7 @@ pub(super) fn read(reader: &TableReader<'_>, frame: &Frame) -> Result<OutputUnit
         Some(field) => system(&field)?,
         None => OutputUnits::default(),
     };
-    for (key, measures) in keys(frame.is_circular()) {
+    for (key, measures) in keys(bodies.is_circular()) {
         let Some(field) = table.optional(key) else { continue };
         let text = field.string()?;
         for measure in measures {

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::stated::Stated;
 use super::trace;
+use crate::bodies::Bodies;
 use crate::document::{Document, Field, FileError, TableReader, ValueKind};
-use crate::frame::Frame;
 use crate::{Error, Load, Problem, Profile, Solver, Warning};
 
 /// A profile with its field, for messages that need the finished problem.
@@ -18,7 +18,7 @@ pub(super) struct ReadProfile<'d> {
 
 pub(super) fn read<'d>(
     table: &TableReader<'d>,
-    frame: &Frame,
+    bodies: &Bodies,
     folder: &Path,
 ) -> Result<ReadProfile<'d>, FileError> {
     let field = table.required("profile").map_err(|error| match error.help() {
@@ -26,9 +26,9 @@ pub(super) fn read<'d>(
         None => error.with_help("profile = \"0\" is a flat base"),
     })?;
     let (profile, doubts) = if field.is_table() {
-        trace::read(&field, frame, folder)?
+        trace::read(&field, bodies, folder)?
     } else {
-        (expression(&field, frame)?, Vec::new())
+        (expression(&field, bodies)?, Vec::new())
     };
     Ok(ReadProfile { field, profile, doubts })
 }
@@ -54,11 +54,11 @@ impl ReadProfile<'_> {
 }
 
 /// A formula; a bare number is a constant, so that `--set punch.profile=0` needs no quotes within quotes.
-fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
+fn expression(field: &Field<'_>, bodies: &Bodies) -> Result<Profile, FileError> {
     let constant = field.number().ok().map(|value| format!("{value:e}"));
     let text = if let Some(text) = &constant { text } else { field.string()? };
     let parsed =
-        if frame.is_circular() { Profile::radial(text) } else { Profile::expression(text) };
+        if bodies.is_circular() { Profile::radial(text) } else { Profile::expression(text) };
     parsed.map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
         match error.help() {

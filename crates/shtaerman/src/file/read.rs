@@ -50,18 +50,18 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Er
         }
         (physical::read(&reader)?, section::required(&reader, "punch")?)
     };
-    let mut profile = profile::read(&punch, &stated.frame, folder)?;
+    let mut profile = profile::read(&punch, &stated.bodies, folder)?;
     let doubts = std::mem::take(&mut profile.doubts);
     let load = if is_bare { punch } else { section::required(&reader, "load")? };
-    let load = load::read(&load, &stated.frame)?;
-    let units = output::read(&reader, &stated.frame)?;
+    let load = load::read(&load, &stated.bodies)?;
+    let units = output::read(&reader, &stated.bodies)?;
     reader.finish()?;
     let problem = profile.problem(stated, load, solver)?;
     problem.check_balance()?;
     Ok(ReadProblem { problem, units, doubts })
 }
 
-/// The foundation and the flat punch of `[dimensionless]`, with their frame.
+/// The foundation and the flat punch of `[dimensionless]`, with the bodies that they are.
 fn dimensionless(table: &TableReader<'_>) -> Result<Stated, FileError> {
     let field = table.exactly_one(&["theta0", "lambda0"])?;
     let poisson_ratio = table.optional("poisson_ratio");

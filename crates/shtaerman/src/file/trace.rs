@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::Warning;
+use crate::bodies::Bodies;
 use crate::document::{Field, FileError, TableReader, Value, ValueKind};
-use crate::frame::Frame;
 use crate::profile::{Column, Dialect, HeaderUnit, Place, Profile, Trace, TraceOptions};
 use crate::quantity::{self, Dimension};
 
@@ -19,12 +19,12 @@ const KEYS: [&str; 13] = [
 /// The spline through the trace, and what is doubtful about its units.
 pub(super) fn read(
     field: &Field<'_>,
-    frame: &Frame,
+    bodies: &Bodies,
     folder: &Path,
 ) -> Result<(Profile, Vec<Warning>), FileError> {
-    let half_width = frame.half_width();
-    let is_period = frame.geometry().is_wave(half_width);
-    let physical = frame.scaling().is_some();
+    let half_width = bodies.half_width();
+    let is_period = bodies.geometry().is_wave(half_width);
+    let physical = bodies.scaling().is_some();
     let options = stated(field, physical)?;
     let table = field.table()?;
     let csv = table.required("csv")?;

@@ -72,7 +72,7 @@ fn squared(contact: &Contact) -> f64 {
     let mut cuts: Vec<f64> = shifts.iter().copied().flat_map(shifted).collect();
     cuts.push(0.0);
     cuts.sort_by(f64::total_cmp);
-    let scale = problem.frame().unit(Scaling::pressure);
+    let scale = problem.bodies().unit(Scaling::pressure);
     let at = |x: f64| {
         let xi = x / half_width;
         let on_base = if problem.is_wave() { xi - 2.0 * (0.5 * xi).round() } else { xi };

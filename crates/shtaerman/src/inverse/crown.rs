@@ -98,9 +98,9 @@ fn curvature(problem: &Problem) -> Result<f64, Error> {
         return Err(InverseError::Unsuited(words).into());
     };
     positive("force", force)?;
-    let frame = problem.frame();
-    let given = frame.theta0() * force + frame.law().displacement(0.5 * force);
-    Ok(2.0 * given * frame.unit(Scaling::displacement) / frame.half_width().powi(2))
+    let bodies = problem.bodies();
+    let given = bodies.theta0() * force + bodies.law().displacement(0.5 * force);
+    Ok(2.0 * given * bodies.unit(Scaling::displacement) / bodies.half_width().powi(2))
 }
 
 /// Solves at curvatures `unit e^t`.

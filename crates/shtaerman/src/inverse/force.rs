@@ -27,7 +27,7 @@ pub fn force(problem: &Problem, goal: Goal) -> Result<Found, Error> {
     }
     let (start, rotational) = standing(problem)?;
     let posed = |force: f64| problem.with_load(Load::new(Vertical::Force(force), rotational)?);
-    let unit = problem.frame().unit(Scaling::force);
+    let unit = problem.bodies().unit(Scaling::force);
     let least = (start / REACH).max((LEAST * unit).min(start));
     Search { unknown: "force", goal, posed: &posed }
         .run(Range { start, ends: [least, start * REACH] })

@@ -67,7 +67,7 @@ impl Goal {
 
     /// What it measures in this problem.
     pub(super) fn dimension_in(self, problem: &Problem) -> Dimension {
-        if problem.frame().scaling().is_some() { self.dimension() } else { Dimension::NONE }
+        if problem.bodies().scaling().is_some() { self.dimension() } else { Dimension::NONE }
     }
 
     pub(super) fn check(self) -> Result<(), Error> {

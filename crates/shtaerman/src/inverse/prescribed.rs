@@ -88,8 +88,8 @@ struct Prescription<'p> {
 
 impl<'p> Prescription<'p> {
     fn new(problem: &'p Problem, pressure: &str) -> Result<Self, Error> {
-        let frame = problem.frame();
-        if frame.geometry() != Geometry::Plane || !frame.is_homogeneous() {
+        let bodies = problem.bodies();
+        if bodies.geometry() != Geometry::Plane || !bodies.is_homogeneous() {
             let words = "the profile for a prescribed pressure is that of one plane punch on a homogeneous foundation";
             return Err(InverseError::Unsuited(words).into());
         }
@@ -100,7 +100,7 @@ impl<'p> Prescription<'p> {
         };
         let expression = Expression::parse(pressure, &VARIABLES)
             .map_err(|error| fault(format!("`{pressure}`: {error}")))?;
-        let half_width = frame.half_width();
+        let half_width = bodies.half_width();
         let line = Line::new(&[(0.0, half_width), (0.0, 1.0), (half_width, 0.0)]);
         if let Some(base) = Interval::new(-1.0, 1.0)
             && let Some((at, defect)) = expression.find_not_finite(&line, base)
@@ -119,10 +119,10 @@ impl<'p> Prescription<'p> {
     }
 
     fn place(problem: &Problem, xi: f64) -> String {
-        let frame = problem.frame();
-        let unit = if frame.scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
-        let x = engineering(xi * frame.half_width(), unit);
-        format!("{} = {x}", frame.coordinate())
+        let bodies = problem.bodies();
+        let unit = if bodies.scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
+        let x = engineering(xi * bodies.half_width(), unit);
+        format!("{} = {x}", bodies.coordinate())
     }
 
     /// The pressure as written.
@@ -200,9 +200,9 @@ impl<'p> Prescription<'p> {
         // Rounding of a symmetric pressure is no moment.
         let moment = if moment.abs() <= NO_MOMENT * self.force.abs() { 0.0 } else { moment };
         let tilt = self.balanced_tilt(moment)?;
-        let frame = self.problem.frame();
-        let theta0 = frame.theta0();
-        let law = frame.law();
+        let bodies = self.problem.bodies();
+        let theta0 = bodies.theta0();
+        let law = bodies.law();
         let depth = |xi: f64| {
             law.displacement(factor * self.value(xi))
                 + theta0 * factor * solution.evaluate_potential(xi)
@@ -215,7 +215,7 @@ impl<'p> Prescription<'p> {
                 places.iter().map(|&xi| depth(xi)).fold(f64::NEG_INFINITY, f64::max)
             }
         };
-        let displacement = frame.unit(Scaling::displacement);
+        let displacement = bodies.unit(Scaling::displacement);
         Ok(Shaped {
             heights: places
                 .iter()
@@ -223,14 +223,14 @@ impl<'p> Prescription<'p> {
                 .collect(),
             pressures: places
                 .iter()
-                .map(|&xi| factor * self.value(xi) * frame.unit(Scaling::pressure))
+                .map(|&xi| factor * self.value(xi) * bodies.unit(Scaling::pressure))
                 .collect(),
-            places: places.iter().map(|xi| xi * frame.half_width()).collect(),
+            places: places.iter().map(|xi| xi * bodies.half_width()).collect(),
             settlement: settlement * displacement,
-            tilt: tilt * frame.unit(Scaling::angle),
-            force: self.force * frame.unit(Scaling::force),
-            moment: moment * frame.unit(Scaling::moment),
-            factor: factor * frame.unit(Scaling::pressure),
+            tilt: tilt * bodies.unit(Scaling::angle),
+            force: self.force * bodies.unit(Scaling::force),
+            moment: moment * bodies.unit(Scaling::moment),
+            factor: factor * bodies.unit(Scaling::pressure),
             error: 2.0 * theta0 * factor.abs() * error * displacement,
         })
     }
@@ -274,8 +274,8 @@ impl<'p> Prescription<'p> {
         if (moment - wanted).abs() <= OFF * self.force.abs() {
             return Ok(0.0);
         }
-        let unit = self.problem.frame().half_width();
-        let physical = self.problem.frame().scaling().is_some();
+        let unit = self.problem.bodies().half_width();
+        let physical = self.problem.bodies().scaling().is_some();
         let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
         let shown = |moment: f64| engineering(moment / self.force * unit, dimension);
         Err(fault(format!(

@@ -23,7 +23,7 @@ pub fn roughness(problem: &Problem, goal: Goal) -> Result<Found, Error> {
         let words = "the load prescribes the settlement: the roughness behind a measured settlement needs the force in [load]";
         return Err(InverseError::Unsuited(words).into());
     }
-    let Some(scaling) = problem.frame().scaling() else {
+    let Some(scaling) = problem.bodies().scaling() else {
         let words = "a dimensionless problem has no roughness to be found: it is the scale of its displacements";
         return Err(InverseError::Unsuited(words).into());
     };

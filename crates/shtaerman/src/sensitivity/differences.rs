@@ -1,7 +1,7 @@
 //! Sensitivities by central differences of complete solves.
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
-use crate::frame::Frame;
+use crate::bodies::Bodies;
 use crate::{Contact, Error, Problem, Roughness, Vertical};
 
 /// Relative step of the difference quotients; twice and four times it serve the extrapolation.
@@ -49,11 +49,11 @@ impl Contact {
 
     /// The value of a parameter, and the step by which it is varied.
     fn parameter(&self, parameter: Parameter) -> (f64, f64) {
-        let frame = self.problem().frame();
+        let bodies = self.problem().bodies();
         let value = match parameter {
-            Parameter::Roughness => layer(frame).map_or(0.0, |(coefficient, _)| coefficient),
-            Parameter::YoungModulus => frame.stated_modulus(),
-            Parameter::Theta0 => frame.theta0(),
+            Parameter::Roughness => layer(bodies).map_or(0.0, |(coefficient, _)| coefficient),
+            Parameter::YoungModulus => bodies.stated_modulus(),
+            Parameter::Theta0 => bodies.theta0(),
             Parameter::Vertical => match self.problem().load().vertical {
                 Vertical::Force(value) | Vertical::Settlement(value) => value,
             },
@@ -76,7 +76,7 @@ impl Contact {
         let problem = self.problem();
         match parameter {
             Parameter::Roughness => {
-                let exponent = layer(problem.frame()).map_or(1.0, |(_, exponent)| exponent);
+                let exponent = layer(problem.bodies()).map_or(1.0, |(_, exponent)| exponent);
                 problem.with_roughness(Roughness::power(value, exponent)?)
             }
             Parameter::YoungModulus => problem.with_young_modulus(value),
@@ -109,14 +109,14 @@ impl Contact {
 }
 
 /// `B` and `kappa` of a physical problem with a layer.
-fn layer(frame: &Frame) -> Option<(f64, f64)> {
-    frame.scaling()?.roughness().coefficients()
+fn layer(bodies: &Bodies) -> Option<(f64, f64)> {
+    bodies.scaling()?.roughness().coefficients()
 }
 
 fn parameters(problem: &Problem) -> Vec<Parameter> {
-    let frame = problem.frame();
-    let mut parameters = match frame.scaling() {
-        None if frame.theta0() > 0.0 => vec![Parameter::Theta0],
+    let bodies = problem.bodies();
+    let mut parameters = match bodies.scaling() {
+        None if bodies.theta0() > 0.0 => vec![Parameter::Theta0],
         None => vec![],
         Some(scaling) if scaling.roughness() == Roughness::Smooth => vec![Parameter::YoungModulus],
         Some(_) => vec![Parameter::Roughness, Parameter::YoungModulus],

@@ -13,8 +13,8 @@
 //! `dq/d ln f = (w q - F q + (1 - kappa) D q)/kappa - G q`.
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use crate::bodies::Bodies;
 use crate::contact::{Linearised, Rates};
-use crate::frame::Frame;
 use crate::{Contact, Layering, Scaling, Vertical};
 
 /// Settlement, force, pressure and width among the quantities followed.
@@ -29,7 +29,7 @@ impl Contact {
     #[must_use]
     pub fn tangent_sensitivities(&self) -> Option<Sensitivities> {
         // A stiffer foundation under the same coating has another kernel.
-        if matches!(self.problem().frame().layering(), Some(Layering::Coating { .. })) {
+        if matches!(self.problem().bodies().layering(), Some(Layering::Coating { .. })) {
             return None;
         }
         let found = self.linearised()?;
@@ -57,7 +57,7 @@ struct Units<'c> {
 
 impl<'c> Units<'c> {
     fn new(contact: &'c Contact) -> Self {
-        let frame = contact.problem().frame();
+        let bodies = contact.problem().bodies();
         let units: [fn(&Scaling) -> f64; QUANTITIES] = [
             Scaling::displacement,
             Scaling::force,
@@ -65,7 +65,7 @@ impl<'c> Units<'c> {
             Scaling::pressure,
             Scaling::half_width,
         ];
-        Self { contact, quantities: units.map(|unit| frame.unit(unit)) }
+        Self { contact, quantities: units.map(|unit| bodies.unit(unit)) }
     }
 
     /// The derivatives of a quantity by all parameters.
@@ -89,15 +89,15 @@ impl<'c> Units<'c> {
             }
         };
         elasticities.push(at);
-        match self.contact.problem().frame() {
-            Frame::Dimensionless { theta0, .. } if *theta0 > 0.0 => {
+        match self.contact.problem().bodies() {
+            Bodies::Dimensionless { theta0, .. } if *theta0 > 0.0 => {
                 slot.theta0 = Some(body[0] / theta0);
                 elasticities.push(body);
             }
-            Frame::Dimensionless { .. } => {}
-            Frame::Physical { foundation, scaling, .. } => {
+            Bodies::Dimensionless { .. } => {}
+            Bodies::Physical { foundation, scaling, .. } => {
                 let share = scaling.contact_modulus() / foundation.plane_strain_modulus();
-                let modulus = self.contact.problem().frame().stated_modulus();
+                let modulus = self.contact.problem().bodies().stated_modulus();
                 slot.young_modulus = Some(-share * body[0] / modulus);
                 elasticities.push(body.map(|part| share * part));
                 if let Some((coefficient, exponent)) = scaling.roughness().coefficients() {

@@ -70,11 +70,11 @@ fn under(
     effort: Effort,
     pressure0: &dyn Fn(usize, f64, f64) -> f64,
 ) -> Result<StressField, Error> {
-    let frame = problem.frame();
+    let bodies = problem.bodies();
     problem.check_stresses()?;
     let given =
         poisson_ratio.or(problem.foundation().poisson_ratio()).ok_or(Error::NoPoissonRatio)?;
-    let period = match frame.geometry().scaled(frame.half_width()) {
+    let period = match bodies.geometry().scaled(bodies.half_width()) {
         Geometry::Periodic { period } => Some(period),
         _ => None,
     };
@@ -106,7 +106,7 @@ fn under(
 
 /// Breakpoints of the profile, as `xi`, unless there are more than the solver gives panels: then none, and the error tells what that costs. What is repeated may bend at its seam as well, and a zone may lie across it.
 fn breaks(problem: &Problem, period: Option<f64>) -> Vec<f64> {
-    let mut breaks = problem.profile().breakpoints(problem.frame().half_width());
+    let mut breaks = problem.profile().breakpoints(problem.bodies().half_width());
     if let Some(period) = period {
         breaks.push(0.5 * period);
         breaks = [-period, 0.0, period]

@@ -7,16 +7,16 @@ use crate::{Error, Geometry, Problem};
 
 /// The ground of a problem.
 pub(in crate::contact) fn ground(problem: &Problem) -> Result<Arc<dyn Ground>, Error> {
-    let frame = problem.frame();
-    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-    if let Some(layering) = frame.layering() {
-        let layering = layering.clone().scaled(frame.half_width());
-        return Ok(match frame.geometry() {
+    let bodies = problem.bodies();
+    let exponent = bodies.grading().map_or(0.0, |grading| grading.exponent());
+    if let Some(layering) = bodies.layering() {
+        let layering = layering.clone().scaled(bodies.half_width());
+        return Ok(match bodies.geometry() {
             Geometry::Circular => Arc::new(layered_disk::LayeredDisk::new(layering)?),
             _ => Arc::new(layered::Layered::new(&layering)?),
         });
     }
-    Ok(match frame.geometry().scaled(frame.half_width()) {
+    Ok(match bodies.geometry().scaled(bodies.half_width()) {
         Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
             Arc::new(graded::Graded::new(exponent)?)
         }

@@ -92,8 +92,8 @@ impl<F: Field> RoughContact<F> {
         match self.pulls_most().filter(|_| !self.solved.layer.is_linear()) {
             None => Ok(Arc::new(self)),
             Some(at) => {
-                let frame = self.surface.setting.problem().frame();
-                let (variable, at) = (frame.coordinate(), at * frame.half_width());
+                let bodies = self.surface.setting.problem().bodies();
+                let (variable, at) = (bodies.coordinate(), at * bodies.half_width());
                 Err(Error::Pulls { variable, at })
             }
         }

@@ -71,7 +71,7 @@ impl Base {
     pub(super) fn new(setting: &Setting, kind: ContactKind) -> Result<Self, Error> {
         let problem = setting.problem();
         let ground = ground(problem)?;
-        let pieces = if ground.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
+        let pieces = if ground.is_disk() { vec![[0.0, 1.0]] } else { problem.bodies().pieces() };
         let parts = setting.parts_between_points();
         let mut base = Self {
             surface: Surface::new(setting, ground.as_ref()),

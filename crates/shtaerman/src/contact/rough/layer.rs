@@ -19,7 +19,7 @@ pub(super) struct Layer {
 
 impl Layer {
     pub(super) fn new(problem: &Problem) -> Result<Self, Error> {
-        let exponent = problem.frame().law().exponent().unwrap_or(0.0);
+        let exponent = problem.bodies().law().exponent().unwrap_or(0.0);
         require(
             exponent > 0.0,
             "roughness",

@@ -80,8 +80,8 @@ impl Surface {
     /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));
-        let slope = problem.profile().slope(xi, problem.frame().half_width());
-        let scale = problem.frame().unit(Scaling::displacement);
+        let slope = problem.profile().slope(xi, problem.bodies().half_width());
+        let scale = problem.bodies().unit(Scaling::displacement);
         slope.unwrap_or(f64::NAN) / scale - self.tangent.map_or(0.0, |tangent| tangent.slope)
     }
 

@@ -70,23 +70,23 @@ pub(super) fn wrapped(xi: f64) -> f64 {
 impl Base {
     pub(super) fn new(setting: &Setting) -> Result<Self, Error> {
         let problem = setting.problem();
-        let (frame, profile) = (problem.frame(), problem.profile());
-        let half_width = frame.half_width();
-        let (is_disk, is_graded) = (frame.is_circular(), frame.grading().is_some());
+        let (bodies, profile) = (problem.bodies(), problem.profile());
+        let half_width = bodies.half_width();
+        let (is_disk, is_graded) = (bodies.is_circular(), bodies.grading().is_some());
         if is_disk {
             require_even(problem)?;
         }
-        let pieces = if is_disk { vec![[0.0, 1.0]] } else { frame.pieces() };
+        let pieces = if is_disk { vec![[0.0, 1.0]] } else { bodies.pieces() };
         let is_measured = profile.measured_points().is_some();
         let mut breaks = if is_measured || is_graded {
             profile.breakpoints(half_width)
         } else {
-            profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
+            profile.resolve(&bodies.pieces(), half_width, DEGREE, RESOLVED).joints
         };
         let mut joints = if is_measured {
             profile.joints(half_width)
         } else if is_graded && !is_disk {
-            profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
+            profile.resolve(&bodies.pieces(), half_width, DEGREE, RESOLVED).joints
         } else {
             Vec::new()
         };
@@ -167,7 +167,7 @@ impl Base {
             }
             let Some(rise) = rise(|xi| self.height(xi), place) else { continue };
             let requirement = "without a step inside the base: bilateral contact of smooth bodies has no pressure across one";
-            let at = place * problem.frame().half_width();
+            let at = place * problem.bodies().half_width();
             require(self.setting.is_unilateral(), "profile", at, requirement)?;
             self.walls.add_step(place, rise);
         }
@@ -201,7 +201,7 @@ impl Base {
     fn balanced(mut self) -> Result<Self, Error> {
         let problem = self.setting.problem();
         let level = Rotational::Tilt(0.0);
-        if problem.frame().is_circular() {
+        if problem.bodies().is_circular() {
             // Tilt and moment belong to another harmonic.
             self.load.rotational = level;
             problem.under(Load { rotational: level, ..*problem.load() }).check_balance()?;
@@ -223,7 +223,7 @@ impl Base {
 
     /// Where a place of the base lies among the zones: on a disk its distance from the axis.
     pub(super) fn located(&self, xi: f64) -> f64 {
-        match self.setting.problem().frame().geometry().scaled(self.half_width()) {
+        match self.setting.problem().bodies().geometry().scaled(self.half_width()) {
             Geometry::Circular => xi.abs(),
             _ if self.shift != 0.0 => wrapped(xi - self.shift),
             Geometry::Periodic { period } if xi.abs() >= 0.5 * period => {
@@ -234,7 +234,7 @@ impl Base {
     }
 
     fn half_width(&self) -> f64 {
-        self.setting.problem().frame().half_width()
+        self.setting.problem().bodies().half_width()
     }
 
     /// `f0(xi)`.

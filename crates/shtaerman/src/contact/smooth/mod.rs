@@ -36,9 +36,9 @@ impl Setting {
     /// [`Error::LiftsOff`] for disks that tilt or stand on graded ground.
     pub(super) fn without_layer(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Arc::new(Base::new(self)?);
-        let frame = self.problem().frame();
-        match frame.grading() {
-            _ if frame.is_circular() => disk::solve(base),
+        let bodies = self.problem().bodies();
+        match bodies.grading() {
+            _ if bodies.is_circular() => disk::solve(base),
             Some(grading) => answer(&graded::Graded::new(base, grading.exponent())?),
             None if self.problem().is_wave() => plane::wave(&base),
             None => answer(&plane::Plane::new(base)),

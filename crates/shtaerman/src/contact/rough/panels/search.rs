@@ -229,7 +229,7 @@ fn joints(base: &Base) -> Vec<f64> {
         return base.breaks.clone();
     }
     let problem = base.problem();
-    let mut joints = problem.profile().joints(problem.frame().half_width());
+    let mut joints = problem.profile().joints(problem.bodies().half_width());
     if base.ground.is_closed() {
         // A wave is seen from elsewhere than it was measured, and bends at its seam as well.
         joints.push(1.0);

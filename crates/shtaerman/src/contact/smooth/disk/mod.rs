@@ -95,7 +95,7 @@ impl Disk {
 
     /// That the contact is no single disk, with a place that shows it.
     fn rings(&self) -> Error {
-        let frame = self.base.setting.problem().frame();
+        let bodies = self.base.setting.problem().bodies();
         let whole = self.base.whole();
         let seen = settle(self, &whole, &FINE).map(|solved| check(&self.base, &solved, ALLOWED));
         let (at, found) = match seen {
@@ -105,7 +105,7 @@ impl Disk {
             Ok(left) if !left.penetrating.is_empty() => (left.penetrating[0][1], "penetration"),
             _ => (self.base.lowest(), "contact without the axis"),
         };
-        Error::Rings { variable: frame.coordinate(), at: at * frame.half_width(), found }
+        Error::Rings { variable: bodies.coordinate(), at: at * bodies.half_width(), found }
     }
 
     /// The transform up to a radius: while zones are looked for a part of the one over the whole base where that tells it, else of the last one that reached hardly farther.

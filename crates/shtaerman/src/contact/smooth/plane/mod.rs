@@ -47,8 +47,8 @@ pub(super) struct Plane {
 
 impl Plane {
     pub(super) fn new(base: Arc<Base>) -> Self {
-        let frame = base.setting.problem().frame();
-        let period = match frame.geometry().scaled(frame.half_width()) {
+        let bodies = base.setting.problem().bodies();
+        let period = match bodies.geometry().scaled(bodies.half_width()) {
             Geometry::Periodic { period } => Some(period),
             _ => None,
         };

@@ -33,7 +33,7 @@ const SEAM: f64 = 1e-6;
 pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let step = (base.height(1.0 - BESIDE) - base.height(BESIDE - 1.0)).abs();
     let requirement = "the same at both ends of a period: a smooth surface bears no step";
-    let unit = base.setting.problem().frame().unit(Scaling::displacement);
+    let unit = base.setting.problem().bodies().unit(Scaling::displacement);
     require(step <= SEAM * base.range(), "profile", unit * base.height(1.0), requirement)?;
     let [force, _] = base.load.forces();
     let full = FullWave::new(base, force);

@@ -1,4 +1,4 @@
-//! Units, material, layer and geometry of a problem together: what its equation needs besides profile and load.
+//! The two bodies in contact: units, material, layer and geometry of a problem together, which its equation needs besides profile and load.
 
 use crate::error::require;
 use crate::foundation::{GroundKind, corner_exponent, corner_unit, stands_for_all};
@@ -10,9 +10,9 @@ use crate::{Elastic, Error, Foundation, Geometry, Grading, Layering, Punch, Roug
 /// Why a surface on layered ground has to be rough.
 const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness, under a coating and on an influence function: smooth contact is not solved there";
 
-/// In which units a problem is stated.
+/// The bodies in contact, in the units in which their problem is stated.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Frame {
+pub(crate) enum Bodies {
     /// SI units, (2.3).
     Physical {
         /// Material of the foundation; of a graded one at the depth `a`.
@@ -43,8 +43,8 @@ pub(crate) enum Frame {
     },
 }
 
-impl Frame {
-    /// The frame of a punch on a foundation, without its profile.
+impl Bodies {
+    /// A punch on a foundation, without its profile.
     ///
     /// On graded ground pressures are scaled by the modulus at the depth `a`; [`Grading::response`] gives `theta0`, `response a E(a)` over the scale of
     /// displacements, and the settlement is zero at infinity.
@@ -53,10 +53,10 @@ impl Frame {
     /// [`Error::InvalidValue`] for scales beyond the range of double precision, and what does not go together: a graded foundation with an elastic punch or under a
     /// periodic row, where settlements add up to infinity; a dimensionless one with an elastic punch or with a half-width other than 1.
     pub(crate) fn new(foundation: &Foundation, punch: &Punch) -> Result<Self, Error> {
-        let frame = Self::in_one_piece(foundation, punch)?;
+        let bodies = Self::in_one_piece(foundation, punch)?;
         match foundation.layering() {
-            Some(layering) => frame.layered(layering.clone()),
-            None => Ok(frame),
+            Some(layering) => bodies.layered(layering.clone()),
+            None => Ok(bodies),
         }
     }
 
@@ -105,7 +105,7 @@ impl Frame {
         Ok(Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling })
     }
 
-    /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` of the frame are those of the layer, or of what lies below a coating.
+    /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` are those of the layer, or of what lies below a coating.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a thickness below 0.01 half-widths (0.05 radii), for another material than that of the foundation, and for what is not solved on such ground: a smooth surface, a periodic row, a coating under a circular
@@ -279,7 +279,7 @@ mod tests {
         let (mu, nu, chi, a) = (0.3, 0.25, 2e-10, 0.4);
         let grading = Grading::new(mu, 50e6).unwrap();
         let ground = Foundation::graded(grading, nu).unwrap().with_roughness(chi).unwrap();
-        let plane = Frame::new(&ground, &Punch::new(a).unwrap()).unwrap();
+        let plane = Bodies::new(&ground, &Punch::new(a).unwrap()).unwrap();
         // u = theta_g P |x|^-mu: what p = E(a) p0 on the strip of xi gives, over chi E(a)
         let expected = grading.line_response(nu) * a.powf(1.0 - mu) / chi;
         assert!((plane.theta0() / expected - 1.0).abs() < 1e-14);
@@ -289,7 +289,7 @@ mod tests {
 
         // Far from a disk of radius a under p0 = 1 the settlement is that of a point load: J_0(xi t) alone counts, int t^mu J_0(xi t) dt =
         // 2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2) xi^-(1+mu).
-        let disk = Frame::new(&ground, &Punch::circular(a).unwrap()).unwrap();
+        let disk = Bodies::new(&ground, &Punch::circular(a).unwrap()).unwrap();
         let xi = 7.0f64;
         let kernel = 2f64.powf(mu) * libm::tgamma(0.5 + 0.5 * mu) / libm::tgamma(0.5 - 0.5 * mu)
             * xi.powf(-1.0 - mu);
@@ -301,14 +301,14 @@ mod tests {
     #[test]
     fn what_does_not_go_together_is_refused() {
         let graded = Foundation::graded(Grading::new(0.4, 2e9).unwrap(), 0.3).unwrap();
-        assert!(Frame::new(&graded, &Punch::periodic(0.5, 3.0).unwrap()).is_err());
+        assert!(Bodies::new(&graded, &Punch::periodic(0.5, 3.0).unwrap()).is_err());
         let elastic = Punch::new(0.5).unwrap().with_body(Elastic::new(2e9, 0.3).unwrap());
-        assert!(Frame::new(&graded, &elastic).is_err());
+        assert!(Bodies::new(&graded, &elastic).is_err());
         let bare = Foundation::dimensionless(1.0).unwrap();
-        let error = Frame::new(&bare, &Punch::new(0.5).unwrap()).unwrap_err();
+        let error = Bodies::new(&bare, &Punch::new(0.5).unwrap()).unwrap_err();
         assert!(error.to_string().contains("half_width"), "{error}");
         let unit = Punch::new(1.0).unwrap();
-        assert!(Frame::new(&bare, &unit).is_ok());
-        assert!(Frame::new(&bare, &unit.with_body(Elastic::new(1.0, 0.3).unwrap())).is_err());
+        assert!(Bodies::new(&bare, &unit).is_ok());
+        assert!(Bodies::new(&bare, &unit.with_body(Elastic::new(1.0, 0.3).unwrap())).is_err());
     }
 }
