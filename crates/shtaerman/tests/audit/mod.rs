@@ -216,11 +216,11 @@ fn what_is_not_covered_says_why() {
     assert_eq!(audited.dimensionless().error().unwrap(), stated);
 }
 
-/// `ceil(rho^-rho)` steps at the axis from one value to the next within rounding, and its enclosures have no bounds: found by random input.
+/// `ceil(r^-r)` steps at the axis from one value to the next within rounding, and its enclosures have no bounds: found by random input.
 #[test]
 fn a_residual_without_bounds_states_nothing() {
     let disk = Punch::circular(1.0).unwrap();
-    let stepped = Profile::expression("2.0055669036812495e-3*ceil(rho^(-rho))").unwrap();
+    let stepped = Profile::expression("2.0055669036812495e-3*ceil(abs(xi)^(-abs(xi)))").unwrap();
     let load = Load::new(Vertical::Force(7.644171990121552), Rotational::Tilt(0.0)).unwrap();
     let solver = Solver::spectral(70).unwrap();
     let foundation = Foundation::dimensionless(2.60853748269252).unwrap();
