@@ -41,6 +41,7 @@ pub mod file;
 pub mod finite_elements;
 mod foundation;
 mod geometry;
+mod golden;
 mod grading;
 mod influence;
 pub mod inverse;

@@ -3,9 +3,9 @@
 use std::ops::Add;
 
 use super::accuracy::{Accuracy, OF_A_VALUE, Sizes};
-use super::iteration::GOLDEN;
 use super::setting::Setting;
 use super::solution::Solution;
+use crate::golden::GOLDEN;
 use crate::roughness::Law;
 use crate::{Error, Rotational, Scaling, Vertical};
 

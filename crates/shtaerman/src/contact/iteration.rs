@@ -1,11 +1,11 @@
 //! How long iterations go on, and the searches along a line.
 
+use crate::golden::GOLDEN;
+
 /// Most steps of an iteration that ends by itself. The slowest gain a factor of two each, such as the ends of a row that is nearly closed: 120 halvings are twice the digits of a double (theory).
 pub(super) const STEPS: usize = 120;
 /// A step of Newton's method that makes things worse is halved so often: with fewer than a 4096th of it left it leads nowhere.
 pub(super) const CUTS: usize = 12;
-/// `(sqrt(5) - 1)/2`: it divides an interval so that one of two places inside serves again. Its multiples never fall in with a wave.
-pub(crate) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// A place and a value there.
 pub(super) type Point = (f64, f64);

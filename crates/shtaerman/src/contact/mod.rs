@@ -22,7 +22,7 @@ mod ground;
 mod heights;
 mod intensity;
 mod intervals;
-pub(crate) mod iteration;
+mod iteration;
 mod kinks;
 mod linearised;
 mod method;

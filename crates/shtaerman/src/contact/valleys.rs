@@ -3,8 +3,8 @@
 use std::f64::consts::SQRT_2;
 
 use super::accuracy::ROUNDING;
-use super::iteration::GOLDEN;
 use crate::Error;
+use crate::golden::GOLDEN;
 
 /// Samples that show the ups and downs of a profile, at least (survey).
 pub(super) const SAMPLES: usize = 512;

@@ -2,8 +2,8 @@
 
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
-use crate::contact::iteration::GOLDEN;
 use crate::error::positive;
+use crate::golden::GOLDEN;
 use crate::{Contact, Error, Problem, Profile, Scaling, Vertical};
 
 /// Curvatures tried first, as powers of ten of that which lifts the edges by what the load presses in: two a decade.

@@ -7,9 +7,9 @@ use std::sync::Arc;
 use super::base::Base;
 use super::frame::{Direction, Frame};
 use crate::Error;
-use crate::contact::iteration::GOLDEN;
 use crate::contact::method::MethodName;
 use crate::contact::zones::Zone;
+use crate::golden::GOLDEN;
 
 /// Places on a panel at which resolutions are compared (survey).
 pub(super) const PLACES: usize = 128;
