@@ -6,7 +6,7 @@ use super::vectorised::vectorised;
 
 /// Overwrites `right` with `A^{-1} right` for `A = L L^T`: `column` gives those of `L`, each from the diagonal on.
 ///
-/// Four columns are taken at a time, so that `right` is read and written a quarter as often. A library whose method is made for many right-hand sides takes four to five times as long with one, of order 200.
+/// Four columns are taken at a time, so that `right` is read and written a quarter as often. The method of the library underneath is made for many right-hand sides.
 pub(crate) fn substitute<'f>(column: impl Fn(usize) -> &'f [f64], order: usize, right: &mut [f64]) {
     vectorised(
         #[inline(always)]

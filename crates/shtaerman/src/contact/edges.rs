@@ -10,7 +10,7 @@ use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
 
-/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before (survey).
+/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).
 const SMALL: f64 = 1e-8;
 pub(super) const FALLING: f64 = 0.9;
 /// So often: ends beside a narrow gap depend on each other, and a single step may lead astray (survey).
