@@ -69,6 +69,8 @@ pub(super) struct Part<'a> {
     is_bilateral: bool,
     changed: f64,
     misfit: f64,
+    /// Rounding of the pressure that both harmonics were taken from, where this one is small beside it.
+    rounding: f64,
 }
 
 impl<'a> Part<'a> {
@@ -77,6 +79,7 @@ impl<'a> Part<'a> {
         resampled: Resampled<'a>,
         [settlement, tilt]: [f64; 2],
         profile: Option<&'a dyn Profile>,
+        rounding: f64,
     ) -> Self {
         let [missed, misfit] = resampled.misfit(problem.exponent);
         Self {
@@ -93,6 +96,7 @@ impl<'a> Part<'a> {
             is_bilateral: problem.is_bilateral,
             changed: resampled.changed + missed,
             misfit,
+            rounding,
         }
     }
 
@@ -153,7 +157,7 @@ impl Field for Part<'_> {
         let given = self.settlement.abs() + self.tilt.abs() * r + height.abs();
         let size = 4.0 * (layer.abs() + self.theta * potential.abs() + given);
         let scaled = self.scaled * (self.theta * potential.abs() + given);
-        let noise = self.theta * (rounding + self.misfit);
+        let noise = self.theta * (rounding + self.misfit) + self.rounding;
         (value, noise + 0.5 * (high - low) + UNIT * size + scaled)
     }
 

@@ -28,6 +28,8 @@ use potential::Radial;
 const UNIT: f64 = 0.5 * f64::EPSILON;
 /// A pressure is resampled to this many roundings of what it is computed from.
 const RESOLVED: f64 = 4.0;
+/// Roundings of a pressure in units of what is added up in it: those of the settlement, the tilt, the height and the displacement (theory).
+const SUMMED: f64 = 4.0;
 
 /// A contact under a circular punch of radius 1 without dimensions: `p^kappa + theta K p = delta - alpha x - f` where `p > 0`, with the kernel `(G/2) |x - y|^-(1+mu)` on the disk.
 pub struct DiskProblem<'a> {
@@ -121,8 +123,10 @@ impl<'a> Audit<'a> {
         };
         let panels = level.density.panels().len()
             + lean.as_ref().map_or(0, |lean| lean.density.panels().len());
-        let level = Part::new(problem, level, [answer.settlement, 0.0], Some(problem.profile));
-        let lean = lean.map(|lean| Part::new(problem, lean, [0.0, answer.tilt], None));
+        let level =
+            Part::new(problem, level, [answer.settlement, 0.0], Some(problem.profile), 0.0);
+        let rounding = SUMMED * UNIT * (answer.settlement.abs() + scale(1.0, answer)?);
+        let lean = lean.map(|lean| Part::new(problem, lean, [0.0, answer.tilt], None, rounding));
         let mut audit = Self { problem, answer, zones, level, lean, panels };
         audit.settle();
         Ok(audit)

@@ -15,7 +15,6 @@ use crate::contact::complementarity::Complementarity;
 use crate::contact::ground::SHARP;
 use crate::contact::method::Method;
 use crate::contact::rates::Linearised;
-use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
@@ -77,11 +76,7 @@ impl<F: Field> RoughContact<F> {
 
     /// Where full contact pulls most; none where it does so no more than rounding.
     pub(super) fn pulls_most(&self) -> Option<f64> {
-        let Solved { nodes, given, layer, .. } = &self.solved;
-        let (xi, least) = nodes.places.iter().zip(given).min_by(|a, b| a.1.total_cmp(b.1))?;
-        let deepest = self.solved.deepest();
-        let known_to = self.accuracy.pressure / layer.slope(deepest);
-        (*least < -known_to.max(ALLOWED * deepest)).then_some(*xi)
+        self.solved.pulls_most(self.accuracy.pressure)
     }
 
     /// Refuses tension of a layer that bends, which has none.

@@ -10,6 +10,7 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
 use crate::contact::iteration::Point;
+use crate::contact::search::ALLOWED;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
@@ -124,6 +125,14 @@ impl<F: Field> Solved<F> {
     pub(super) fn rounding(&self) -> f64 {
         let [constant, slope] = self.local;
         F::ROUNDING * self.size() + f64::EPSILON * (constant.abs() + slope.abs())
+    }
+
+    /// Where it pulls most, if by more than rounding and than the pressure is known to.
+    pub(super) fn pulls_most(&self, known_to: f64) -> Option<f64> {
+        let (xi, least) = self.nodes.places.iter().zip(&self.given).min_by(|a, b| a.1.total_cmp(b.1))?;
+        let deepest = self.deepest();
+        let known_to = known_to / self.layer.slope(deepest);
+        (*least < -known_to.max(ALLOWED * deepest)).then_some(*xi)
     }
 
     /// What the pressure is not known to, as a share of the largest.
