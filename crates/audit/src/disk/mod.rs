@@ -123,8 +123,7 @@ impl<'a> Audit<'a> {
         };
         let panels = level.density.panels().len()
             + lean.as_ref().map_or(0, |lean| lean.density.panels().len());
-        let level =
-            Part::new(problem, level, [answer.settlement, 0.0], Some(problem.profile), 0.0);
+        let level = Part::new(problem, level, [answer.settlement, 0.0], Some(problem.profile), 0.0);
         let rounding = SUMMED * UNIT * (answer.settlement.abs() + scale(1.0, answer)?);
         let lean = lean.map(|lean| Part::new(problem, lean, [0.0, answer.tilt], None, rounding));
         let mut audit = Self { problem, answer, zones, level, lean, panels };

@@ -13,6 +13,12 @@ use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base from so many steps down to so many up. At half or twice 1 of 5 answers are lost and time grows by 161 % (survey).
 const RATIO: f64 = 4.0;
 const REACH: i32 = 18;
+/// To this tolerance contacts are found on the way: under the smallest forces heights have no more digits.
+const ON_THE_WAY: f64 = 1e-4;
+/// So many forces in a row under which no contact is found end the search.
+const MOST_LOST: usize = 8;
+/// By this share of the distance of two tries the crossing may lie beside them: as much as their tolerance, and more.
+const WIDER: f64 = 0.1;
 
 impl Problem {
     /// Settlement and eccentricity of a base that may lift off, where both are prescribed and the force is off the middle: no problem of least energy.
@@ -32,7 +38,9 @@ impl Problem {
     /// [`Error::NoContact`] where the base is clear and no force leads there, [`Error::SettlementOutOfReach`] where none does though it is not;
     /// [`Error::NotComplementary`] where contacts on the way were not found.
     pub(super) fn solve_at_eccentricity(&self, settlement: f64, e: f64) -> Result<Contact, Error> {
-        let curve = Curve { problem: self, settlement, e };
+        let loose = self.solver().tolerance.unwrap_or(0.0).max(ON_THE_WAY);
+        let way = self.with_solver(self.solver().with_tolerance(loose)?);
+        let curve = Curve { problem: self, way: &way, settlement, e };
         match curve.search() {
             Search::Found(point) => Ok(point.contact.settled_at(self, settlement)),
             Search::Turns(excess) => Err(curve.out_of_reach(excess)),
@@ -78,6 +86,8 @@ impl Point {
 /// `delta(P)` at an eccentricity.
 struct Curve<'p> {
     problem: &'p Problem,
+    /// The same with a tolerance that serves to find the way.
+    way: &'p Problem,
     settlement: f64,
     e: f64,
 }
@@ -85,12 +95,16 @@ struct Curve<'p> {
 impl Curve<'_> {
     /// The contact under a force, where it is found.
     fn at(&self, log: f64) -> Option<Point> {
+        self.of(self.problem, log)
+    }
+
+    fn of(&self, problem: &Problem, log: f64) -> Option<Point> {
         let force = log.exp();
         let load =
             Load { vertical: Vertical::Force(force), rotational: Rotational::Eccentricity(self.e) };
-        let unit = self.problem.bodies().unit(Scaling::force);
-        let given = Load { vertical: Vertical::Force(force * unit), ..*self.problem.load() };
-        let contact = self.problem.under(given).solve_as_given().ok()?;
+        let unit = problem.bodies().unit(Scaling::force);
+        let given = Load { vertical: Vertical::Force(force * unit), ..*problem.load() };
+        let contact = problem.under(given).solve_as_given().ok()?;
         let [raise, _] = contact.solution().stiffness().displaced(&load, [1.0, 0.0]);
         let (slope, excess) = (force * raise, contact.state().settlement - self.settlement);
         (slope.is_finite() && excess.is_finite()).then_some(Point { log, excess, slope, contact })
@@ -99,14 +113,20 @@ impl Curve<'_> {
     /// From the smallest force up, until the settlement is crossed; else how near it came.
     fn search(&self) -> Search {
         let mut nearest = f64::INFINITY;
-        let mut is_lost = false;
+        let (mut is_lost, mut lost) = (false, 0);
         let mut before: Option<Point> = None;
         for power in -REACH..=REACH {
             // The smallest forces leave no digits of the heights.
-            let Some(point) = self.at(self.unit().ln() + f64::from(power) * RATIO.ln()) else {
+            let log = self.unit().ln() + f64::from(power) * RATIO.ln();
+            let Some(point) = self.of(self.way, log) else {
                 is_lost |= before.take().is_some();
+                lost += 1;
+                if lost == MOST_LOST {
+                    break;
+                }
                 continue;
             };
+            lost = 0;
             if point.excess.abs() < nearest.abs() {
                 nearest = point.excess;
             }
@@ -147,35 +167,54 @@ impl Curve<'_> {
     /// The crossing between two points, by Newton's steps that stay between.
     fn between(&self, one: Point, other: Point) -> Search {
         let is_above = one.excess > 0.0;
-        let mut ends = [one.log, other.log];
-        let mut best = if other.excess.abs() < one.excess.abs() { other } else { one };
-        let mut here = [best.log, best.excess, best.slope];
+        let beside = WIDER * (other.log - one.log);
+        let mut ends = [one.log - beside, other.log + beside];
+        let nearest = if other.excess.abs() < one.excess.abs() { other } else { one };
+        let mut here = [nearest.log, nearest.excess, nearest.slope];
+        let mut best: Option<Point> = None;
         for _ in 0..STEPS {
             let newton = here[0] - here[1] / here[2];
             let inside = newton > ends[0].min(ends[1]) && newton < ends[0].max(ends[1]);
             let log = if inside { newton } else { 0.5 * (ends[0] + ends[1]) };
             let Some(next) = self.at(log) else { break };
             ends[usize::from((next.excess > 0.0) != is_above)] = log;
-            let change = (log - here[0]).abs();
+            // What was found on the way is not exact enough to end with.
+            let is_near = best.is_some() && (log - here[0]).abs() < f64::EPSILON.sqrt();
             here = [next.log, next.excess, next.slope];
-            if next.excess.abs() <= best.excess.abs() {
-                best = next;
+            if best.as_ref().is_none_or(|best| next.excess.abs() <= best.excess.abs()) {
+                best = Some(next);
             }
             // The next step has twice the digits.
-            if change < f64::EPSILON.sqrt() {
+            if is_near {
                 break;
             }
         }
-        Search::Found(Box::new(best))
+        best.map_or(Search::Lost, |best| Search::Found(Box::new(best)))
     }
 
-    /// The settlement next to the one sought between a point from which it comes nearer and one behind which it goes away, by halving; or a crossing on the way.
-    fn turning(&self, mut nearer: f64, away: &Point) -> Search {
+    /// The settlement next to the one sought between a point from which it comes nearer and one behind which it goes away; or a crossing on the way.
+    fn turning(&self, nearer: f64, away: &Point) -> Search {
+        let found = self.turning_of(self.way, nearer, away);
+        let known_to = ON_THE_WAY * (self.settlement.abs() + away.excess.abs());
+        match found {
+            // So near that the way does not tell on which side.
+            Search::Turns(excess) if excess.abs() <= known_to => {
+                self.turning_of(self.problem, nearer, away)
+            }
+            found => found,
+        }
+    }
+
+    /// The same for one of the two problems, by halving.
+    fn turning_of(&self, problem: &Problem, mut nearer: f64, away: &Point) -> Search {
         let (mut beyond, mut nearest) = (away.log, away.excess);
+        let tolerance = problem.solver().tolerance.unwrap_or(f64::EPSILON);
         for _ in 0..STEPS {
-            let Some(middle) = self.at(0.5 * (nearer + beyond)) else { return Search::Lost };
+            let Some(middle) = self.of(problem, 0.5 * (nearer + beyond)) else {
+                return Search::Lost;
+            };
             if middle.is_beyond(away) {
-                return match self.at(nearer) {
+                return match self.of(problem, nearer) {
                     Some(point) => self.between(point, middle),
                     None => Search::Lost,
                 };
@@ -185,7 +224,7 @@ impl Curve<'_> {
             }
             *(if middle.falls() { &mut nearer } else { &mut beyond }) = middle.log;
             // The settlement goes with the square of the distance from where it turns.
-            if (nearer - beyond).abs() < f64::EPSILON.sqrt() {
+            if (nearer - beyond).abs() < tolerance.sqrt() {
                 break;
             }
         }

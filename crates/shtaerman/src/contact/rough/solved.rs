@@ -129,7 +129,8 @@ impl<F: Field> Solved<F> {
 
     /// Where it pulls most, if by more than rounding and than the pressure is known to.
     pub(super) fn pulls_most(&self, known_to: f64) -> Option<f64> {
-        let (xi, least) = self.nodes.places.iter().zip(&self.given).min_by(|a, b| a.1.total_cmp(b.1))?;
+        let (xi, least) =
+            self.nodes.places.iter().zip(&self.given).min_by(|a, b| a.1.total_cmp(b.1))?;
         let deepest = self.deepest();
         let known_to = known_to / self.layer.slope(deepest);
         (*least < -known_to.max(ALLOWED * deepest)).then_some(*xi)

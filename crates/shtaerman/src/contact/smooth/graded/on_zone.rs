@@ -99,8 +99,9 @@ impl OnZone {
         // With both ends: a base with rounded edges is flat elsewhere.
         let samples = (0..2 * SAMPLES).map(|i| (i as f64 + 0.5) / (2 * SAMPLES) as f64);
         let slopes = samples.chain([0.0, 1.0]).map(|share| clamped(left + (right - left) * share));
-        let steepest =
-            slopes.filter(|slope| slope.is_finite()).fold(0.0f64, |most, slope| most.max(slope.abs()));
+        let steepest = slopes
+            .filter(|slope| slope.is_finite())
+            .fold(0.0f64, |most, slope| most.max(slope.abs()));
         // The slope is rounded, and so is the place it is taken at.
         let remote = left.abs().max(right.abs()) / half;
         let noise = 2.0 * f64::EPSILON * (1.0 + remote);
