@@ -38,6 +38,9 @@ impl Problem {
     /// [`Error::NoContact`] where the base is clear and no force leads there, [`Error::SettlementOutOfReach`] where none does though it is not;
     /// [`Error::NotComplementary`] where contacts on the way were not found.
     pub(super) fn solve_at_eccentricity(&self, settlement: f64, e: f64) -> Result<Contact, Error> {
+        if self.bodies().is_circular() {
+            return self.solve_disk_at_eccentricity(settlement);
+        }
         let loose = self.solver().tolerance.unwrap_or(0.0).max(ON_THE_WAY);
         let way = self.with_solver(self.solver().with_tolerance(loose)?);
         let curve = Curve { problem: self, way: &way, settlement, e };
@@ -49,6 +52,16 @@ impl Problem {
                 Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
             }
         }
+    }
+
+    /// The same for a circular punch in full contact, whose force depends on the settlement alone.
+    fn solve_disk_at_eccentricity(&self, settlement: f64) -> Result<Contact, Error> {
+        let given = *self.load();
+        let level = Load { rotational: Rotational::Tilt(0.0), ..given };
+        let force = self.under(level).solve_as_given()?.state().force;
+        let force = force * self.bodies().unit(Scaling::force);
+        let under = Load { vertical: Vertical::Force(force), ..given };
+        Ok(self.under(under).solve_as_given()?.settled_at(self, settlement))
     }
 }
 

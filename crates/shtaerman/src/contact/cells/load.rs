@@ -135,7 +135,16 @@ fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
             let cell = if moment > 0.0 { roots.len() - 1 } else { 0 };
             values[cell] = moment / (centres[cell] * roots[cell]);
         }
-        (Vertical::Settlement(_), _) => {}
+        (Vertical::Settlement(_), Rotational::Tilt(_)) => {}
+        // Any force will do that acts in the line.
+        (Vertical::Settlement(settlement), _) => {
+            let arm = load.arm().unwrap_or(0.0);
+            let density = balanced(centres, roots, arm);
+            let largest = density.iter().fold(f64::MIN_POSITIVE, |most, p| p.max(most));
+            for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
+                *value = settlement.abs() * p / largest * root;
+            }
+        }
         (Vertical::Force(force), _) => {
             // Without one an even pressure.
             let arm = load.arm().unwrap_or_else(|| {
