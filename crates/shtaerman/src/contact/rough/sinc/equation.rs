@@ -90,7 +90,8 @@ impl<'b> Collocation<'b> {
         // The pressure of a layer that bends ends with another power.
         let count = if base.layer.is_linear() { count } else { RATIO * count };
         // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
-        let waves = NODES_A_VALLEY * base.valleys().count() as f64 * 0.5 * longest;
+        let whole: f64 = base.pieces.iter().map(|[left, right]| right - left).sum();
+        let waves = NODES_A_VALLEY * base.valleys().count() as f64 * longest / whole;
         count.max(waves).max(base.ground.first_half_count(longest))
     }
 }
