@@ -22,7 +22,7 @@ pub(super) const COARSELY_ALLOWED: f64 = 1e-6;
 pub(super) const ALLOWED: f64 = 2e-10;
 /// Corrections of the zones by the check, for each number of cells (survey).
 pub(super) const CORRECTIONS: usize = 16;
-/// Below this a violation may come from too few nodes; one that changes by less than this share of itself is the same again (survey).
+/// Below this a violation that falls with more nodes comes from too few; one that changes by less than this share of itself is the same again (survey).
 const DOUBTFUL: f64 = 1e-2;
 /// How zones that vanished are narrowed for the next attempt. At half or twice 3 of 12 answers change, within what they state (survey).
 const NARROWER: f64 = 0.2;
@@ -325,8 +325,9 @@ impl Progress {
             |one: f64, other: f64| one.is_finite() && (one - other).abs() <= DOUBTFUL * one;
         let [violation, penetration] = self.corrected;
         let vanished = !left.penetrating.is_empty() && is_same(penetration, left.penetration);
+        // What a correction leaves as it was is none of the zones.
         let is_doubtful =
-            worst < DOUBTFUL && (is_same(violation, worst) || worst < SLOW * self.before);
+            is_same(violation, worst) || worst < DOUBTFUL && worst < SLOW * self.before;
         if is_doubtful && !vanished && can_be_finer() {
             self.before = worst;
             return Next::Finer;
