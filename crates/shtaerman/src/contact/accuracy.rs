@@ -5,6 +5,7 @@ use std::ops::Add;
 use serde::Serialize;
 
 use super::balance::State;
+use super::stiffness::Stiffness;
 use crate::{Load, Rotational};
 
 /// Rounding of a quantity relative to what is added up in it (survey).
@@ -117,6 +118,15 @@ impl Accuracy {
         let by = [error, 2.0 * error, stiffness[0] * error, 2.0 * stiffness[1] * error];
         let pressure = self.pressure + 2.0 * error;
         Self { kind: ErrorKind::Estimate, pressure, ..self.open(by, f64::add) }
+    }
+
+    /// With what penetration of this depth leaves: no displacement moves by more where it is taken away (the maximum principle), and forces by the stiffnesses times that.
+    pub(super) fn with_left(self, depth: f64, stiffness: &Stiffness) -> Self {
+        if depth == 0.0 {
+            return self;
+        }
+        let [force, turn] = [stiffness.force_settlement, stiffness.moment_tilt].map(f64::abs);
+        self.open([depth, 2.0 * depth, force * depth, 2.0 * turn * depth], f64::add)
     }
 
     pub(crate) fn is_finite(&self) -> bool {

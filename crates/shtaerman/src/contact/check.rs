@@ -1,5 +1,7 @@
 //! Complementarity between the nodes: where an answer pulls and where the base penetrates.
 
+use super::accuracy::SAFETY;
+use super::iteration::{Point, top};
 use crate::Error;
 
 /// Fewest points of a zone, or of an interval outside the zones.
@@ -20,13 +22,22 @@ pub(super) struct Check {
     pub(super) pulling: Vec<[f64; 2]>,
     /// The same of penetration, with the deepest place in the middle.
     pub(super) penetrating: Vec<[f64; 3]>,
+    /// The deepest penetration beyond rounding, a displacement: a zone that is about to open is not in the answer, and displacements may be off by as much.
+    pub(super) missed: f64,
 }
 
 impl Check {
     /// Of what was not looked at.
     pub(super) fn none() -> Self {
         let (pulling, penetrating) = (Vec::new(), Vec::new());
-        Self { tension: 0.0, penetration: 0.0, largest: f64::MIN_POSITIVE, pulling, penetrating }
+        Self {
+            tension: 0.0,
+            penetration: 0.0,
+            largest: f64::MIN_POSITIVE,
+            pulling,
+            penetrating,
+            missed: 0.0,
+        }
     }
 
     /// Whether nothing is to be corrected.
@@ -71,45 +82,56 @@ impl Check {
         self.pulling.extend(found.into_iter().map(|[left, _, right]| [left, right]));
     }
 
-    /// Adds penetration at places beside the zones, over the size of what is compared; beyond a threshold it is listed for correction.
+    /// Adds penetration at places beside the zones, over the size of what is compared; beyond a share of that and rounding it is listed for correction.
     pub(super) fn add_penetration(
         &mut self,
         places: &[f64],
         penetration: &[f64],
-        [size, most]: [f64; 2],
+        [size, allowed, rounding]: [f64; 3],
     ) {
-        self.penetration =
-            penetration.iter().fold(self.penetration, |worst, g| worst.max(g / size));
-        self.penetrating.extend(above(places, penetration, most));
+        let deepest = penetration.iter().fold(0.0f64, |most, g| most.max(*g));
+        self.penetration = self.penetration.max(deepest / size);
+        self.missed = self.missed.max(deepest - rounding);
+        self.penetrating.extend(above(places, penetration, allowed * size + rounding));
     }
 }
 
-/// Values at points, with the top of the parabola through each three of which the middle one is the largest: what exceeds little may do so between the points only.
+/// Values at points, with the top of the parabola through each three of which the middle one is the largest: what exceeds little may do so between the points only, and what may
+/// exceed zero there is looked for.
 pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
     let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
-    let mut found: Vec<(f64, f64)> = points.iter().copied().zip(values.iter().copied()).collect();
+    let mut found: Vec<Point> = points.iter().copied().zip(values.iter().copied()).collect();
     let threes = points.windows(3).zip(values.windows(3));
     for (x, v) in threes.filter(|(_, v)| v[1] >= v[0] && v[1] >= v[2]) {
         let mut three = [0, 1, 2].map(|i| (x[i], v[i]));
+        let mut missed = 0.0f64;
         // The second lies about the first: a dip may be far narrower than places are apart.
         for _ in 0..2 {
-            let Some(top) = top_of(three).map(|top| (top, value(top))) else { break };
+            let Some((at, expected)) = top_of(three) else { break };
+            let top = (at, value(at));
             found.push(top);
+            // Off from the parabola by about as much as is still to be gained.
+            missed = missed.max((expected - top.1).abs());
             let mut four = [three[0], three[1], three[2], top];
             crate::order::sort_by_number(&mut four, |a| a.0);
             let largest = if four[1].1 >= four[2].1 { 1 } else { 2 };
             three = [0, 1, 2].map(|i| four[largest + i - 1]);
+        }
+        if missed > 0.0 && three[1].1 + SAFETY * missed > 0.0 {
+            found.push(top(&value, three[0].0, three[2].0));
         }
     }
     crate::order::sort_by_number(&mut found, |a| a.0);
     found.into_iter().unzip()
 }
 
-/// The top of the parabola through three points, if it lies between them.
-fn top_of([(a, u), (b, v), (c, w)]: [(f64, f64); 3]) -> Option<f64> {
+/// The top of the parabola through three points, if it lies between them, and its height.
+fn top_of([(a, u), (b, v), (c, w)]: [Point; 3]) -> Option<Point> {
     let [before, after] = [(v - u) / (b - a), (w - v) / (c - b)];
-    let top = 0.5 * (a + b) - 0.5 * before * (c - a) / (after - before);
-    (a < top && top < c && top != b).then_some(top)
+    let bend = (after - before) / (c - a);
+    let top = 0.5 * (a + b) - 0.5 * before / bend;
+    let height = u + (top - a) * (before + bend * (top - b));
+    (a < top && top < c && top != b).then_some((top, height))
 }
 
 /// The intervals around points where the values exceed a threshold, to halfway to the nearest points where they do not, with the place of the largest value in the middle.

@@ -7,18 +7,13 @@
 
 use crate::contact::Contact;
 use crate::contact::iteration::STEPS;
+use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::valleys::SAMPLES;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base from so many steps down to so many up. At half or twice 1 of 5 answers are lost and time grows by 161 % (survey).
 const RATIO: f64 = 4.0;
 const REACH: i32 = 18;
-/// To this tolerance contacts are found on the way: under the smallest forces heights have no more digits.
-const ON_THE_WAY: f64 = 1e-4;
-/// So many forces in a row under which no contact is found end the search.
-const MOST_LOST: usize = 8;
-/// By this share of the distance of two tries the crossing may lie beside them: as much as their tolerance, and more.
-const WIDER: f64 = 0.1;
 
 impl Problem {
     /// Settlement and eccentricity of a base that may lift off, where both are prescribed and the force is off the middle: no problem of least energy.
@@ -41,7 +36,7 @@ impl Problem {
         if self.bodies().is_circular() {
             return self.solve_disk_at_eccentricity(settlement);
         }
-        let loose = self.solver().tolerance.unwrap_or(0.0).max(ON_THE_WAY);
+        let loose = self.solver().tolerance.unwrap_or(0.0).max(on_the_way());
         let way = self.with_solver(self.solver().with_tolerance(loose)?);
         let curve = Curve { problem: self, way: &way, settlement, e };
         match curve.search() {
@@ -63,6 +58,11 @@ impl Problem {
         let under = Load { vertical: Vertical::Force(force), ..given };
         Ok(self.under(under).solve_as_given()?.settled_at(self, settlement))
     }
+}
+
+/// To this tolerance contacts are found on the way, which shows their zones: under the smallest forces heights have no more digits.
+fn on_the_way() -> f64 {
+    COARSELY_ALLOWED.sqrt()
 }
 
 /// What a search along the curve comes to.
@@ -134,7 +134,8 @@ impl Curve<'_> {
             let Some(point) = self.of(self.way, log) else {
                 is_lost |= before.take().is_some();
                 lost += 1;
-                if lost == MOST_LOST {
+                // Where so many are lost one after the other the rest will be.
+                if lost == REACH / 2 {
                     break;
                 }
                 continue;
@@ -180,7 +181,8 @@ impl Curve<'_> {
     /// The crossing between two points, by Newton's steps that stay between.
     fn between(&self, one: Point, other: Point) -> Search {
         let is_above = one.excess > 0.0;
-        let beside = WIDER * (other.log - one.log);
+        // They are known to the tolerance of the way.
+        let beside = 0.5 * (other.log - one.log);
         let mut ends = [one.log - beside, other.log + beside];
         let nearest = if other.excess.abs() < one.excess.abs() { other } else { one };
         let mut here = [nearest.log, nearest.excess, nearest.slope];
@@ -208,7 +210,7 @@ impl Curve<'_> {
     /// The settlement next to the one sought between a point from which it comes nearer and one behind which it goes away; or a crossing on the way.
     fn turning(&self, nearer: f64, away: &Point) -> Search {
         let found = self.turning_of(self.way, nearer, away);
-        let known_to = ON_THE_WAY * (self.settlement.abs() + away.excess.abs());
+        let known_to = on_the_way() * (self.settlement.abs() + away.excess.abs());
         match found {
             // So near that the way does not tell on which side.
             Search::Turns(excess) if excess.abs() <= known_to => {

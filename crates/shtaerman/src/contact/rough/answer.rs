@@ -51,7 +51,12 @@ impl<F: Field> RoughContact<F> {
         let mut stiffness = solved.stiffness();
         let tilted = turned(base, &mut solved, &mut stiffness)?;
         let Stated { accuracy, edge: edge_error } = solved.stated_with_kernel(base, &stiffness);
-        let Check { tension, penetration, .. } = *left;
+        let Check { tension, penetration, missed, .. } = *left;
+        let accuracy = accuracy.with_left(missed, &stiffness);
+        let accuracy = Accuracy {
+            pressure: accuracy.pressure + 2.0 * missed * solved.layer.slope(solved.deepest()),
+            ..accuracy
+        };
         let complementarity = Complementarity { tension, penetration };
         let beside = outside(&base.pieces, &solved.nodes.zones).into_iter();
         let (state, accuracy) = match &base.surface.tangent {

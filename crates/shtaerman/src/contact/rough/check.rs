@@ -24,12 +24,13 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
         let (points, values) = with_tops(&points, |xi| -layer(xi));
         check.add_tension(&points, &values, [largest, allowed * largest + floor]);
     }
+    check.missed = check.missed.max(check.tension * largest - floor);
     // What is compared outside is of the size of its terms.
     let scale = solved.size() + solved.state.settlement.abs() + solved.state.tilt.abs();
     let gaps = outside(&base.pieces, zones).into_iter();
     for [left, right] in gaps.filter(|[_, right]| *right > from) {
         let (points, values) = with_tops(&points(base, left.max(from), right), layer);
-        check.add_penetration(&points, &values, [scale, allowed * scale + floor]);
+        check.add_penetration(&points, &values, [scale, allowed, floor]);
     }
     if is_half { check.with_images() } else { check }
 }

@@ -50,6 +50,7 @@ impl<P: Pressure> SmoothContact<P> {
     ) -> Result<Self, Error> {
         let base = Arc::clone(equation.shared().0);
         let (accuracy, edge_error) = estimate(equation, &solved, left.largest);
+        let accuracy = accuracy.with_left(left.missed, &solved.stiffness());
         let state = solved.state();
         let values = [
             ("force", state.force),

@@ -88,7 +88,7 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
         let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
         let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
         let (points, values) = with_tops(&points, value);
-        check.add_penetration(&points, &values, [scale, allowed * scale + floor]);
+        check.add_penetration(&points, &values, [scale, allowed, floor]);
     }
 }
 
