@@ -12,5 +12,6 @@ mod layered_audit;
 mod pair;
 mod power;
 mod random;
+mod reached;
 mod row;
 mod support;

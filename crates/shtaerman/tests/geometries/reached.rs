@@ -1,0 +1,144 @@
+//! Contacts that searches missed, or refused, or reached by far too many steps.
+
+use shtaerman::{Contact, Error, Geometry, Load, Rotational, Solver, Vertical, file};
+
+use crate::geometries::support::{assert_near, attempt, pressed, solve};
+
+const DISK: Geometry = Geometry::Circular;
+
+#[track_caller]
+fn of_file(text: &str) -> Contact {
+    file::parse(text, "made.toml").unwrap().solve().unwrap()
+}
+
+/// A small contact of a row at a settlement: without a moment it has the tilt that its mirror image has.
+#[test]
+fn a_row_at_a_settlement_needs_no_moment() {
+    for period in [2.1, 3.0, 4.0] {
+        let body = (Geometry::Periodic { period }, 1.0, 1.0);
+        for settlement in [0.001, 0.03, 0.1] {
+            let at =
+                |rotational| solve(body, "xi^2", (Vertical::Settlement(settlement), rotational));
+            let level = at(Rotational::Tilt(0.0));
+            for rotational in [Rotational::Moment(0.0), Rotational::Eccentricity(0.0)] {
+                let free = at(rotational);
+                let allowed = level.error().unwrap().force + free.error().unwrap().force;
+                assert_near(free.force(), level.force(), allowed + 1e-14 * level.force());
+                assert!(free.tilt().abs() < 1e-12 * settlement);
+            }
+        }
+        // And another base that which its own force has.
+        let (vertical, moment) = (Vertical::Settlement(0.05), Rotational::Moment(0.0));
+        let settled = solve(body, "(xi - 0.2)^2", (vertical, moment));
+        let forced = solve(body, "(xi - 0.2)^2", pressed(settled.force()));
+        assert_near(forced.settlement(), 0.05, 1e-11);
+    }
+}
+
+/// The force of a disk in full contact depends on its settlement alone, wherever it acts; beyond the limit of full contact that is said.
+#[test]
+fn a_disk_settles_under_an_eccentric_force() {
+    let body = (DISK, 100.0, 1.0);
+    let at = |vertical, e| {
+        attempt(body, "0.1*x^2", (vertical, Rotational::Eccentricity(e)), Solver::default())
+    };
+    let force = solve(body, "0.1*x^2", (Vertical::Settlement(1.0), Rotational::Tilt(0.0))).force();
+    for e in [0.1, 0.2, 0.28] {
+        let settled = at(Vertical::Settlement(1.0), e).unwrap();
+        let forced = at(Vertical::Force(force), e).unwrap();
+        assert_near(settled.force(), force, 1e-12 * force);
+        assert_near(settled.moment(), e * force, 1e-12 * force);
+        assert_near(forced.settlement(), 1.0, 1e-11);
+        assert_near(settled.tilt(), forced.tilt(), 1e-11);
+    }
+    let lifted = at(Vertical::Settlement(1.0), 0.3);
+    assert!(matches!(lifted, Err(Error::LiftsOff { .. })), "{lifted:?}");
+}
+
+/// Rough disks with many waves: settlement, largest pressure and radius by complementarity on 1200 rings of an independent program, to its digits; and what the audit, which knows
+/// nothing of the way, makes of them.
+#[test]
+fn rough_disks_with_waves_are_found_at_every_force() {
+    let profile = "30*(x^2 - 0.015385*cos(13*pi*x))";
+    let contact = solve((DISK, 30.0, 1.0), profile, pressed(1.3));
+    assert_near(contact.settlement(), 50.515_56, 1e-3);
+    assert_near(contact.peak_pressure(), 0.9312, 1e-3);
+    assert_near(contact.zones()[0][1], 0.942, 1e-3);
+    for (waves, share) in [(11, 0.15), (15, 0.25), (19, 0.1), (23, 0.3), (29, 0.2)] {
+        let profile = format!("30*(x^2 - {}*cos({waves}*pi*x))", share / f64::from(waves));
+        for force in [0.9, 1.1, 1.4] {
+            let contact = solve((DISK, 30.0, 1.0), &profile, pressed(force)).audited().unwrap();
+            assert!(contact.relative_error() < 1e-6, "{waves} {force}");
+        }
+    }
+}
+
+/// A ring opens where the gap beside the disk closes, be that between the places looked at: the settlement rises with the force through that, and by no more than its stiffness says.
+#[test]
+fn rings_open_where_gaps_close() {
+    for (profile, opening) in [
+        ("R^2 - 0.3*cos(12*R)", 3.054_573_094),
+        ("0.3*R^2 - 0.3*cos(20*R)", 0.063_646_985),
+        ("R - 0.4*max(0, R - 0.074) + 0.3*R^2 - 0.1*cos(20*R)", 2.092_552_036),
+    ] {
+        // Of steps of ten thousandths of the force, and smaller about the place where it was found to open.
+        let text = |force: f64| {
+            let own = profile.replace('R', "(r/0.01)");
+            format!(
+                "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"circular\"\nradius = 0.01\n\
+                 profile = \"1e-5*({own})\"\n[load]\nforce = {force:e}\nmoment = 0\n"
+            )
+        };
+        let shares = [-3e-4, -1e-4, -1e-6, -1e-8, -1e-9, 1e-9, 1e-8, 1e-6, 1e-4, 3e-4];
+        let found = shares.map(|share| of_file(&text(opening * (1.0 + share))));
+        assert!(found[0].zones().len() < found[9].zones().len());
+        for pair in found.windows(2) {
+            let [before, after] = [&pair[0], &pair[1]];
+            let stated = before.error().unwrap().settlement + after.error().unwrap().settlement;
+            let risen = after.settlement() - before.settlement();
+            let softest = before.stiffness().force_settlement.recip();
+            let most = softest * (after.force() - before.force());
+            assert!(
+                risen >= -stated && risen <= 1.01 * most + stated,
+                "{profile}: {risen:e} of {most:e} with {stated:e}"
+            );
+        }
+    }
+}
+
+/// The rounding of a base that is flat but for its edges is that of its steepest place: else integrals are refined to nothing, on ten times as many nodes.
+#[test]
+fn a_flat_base_with_rounded_edges_takes_few_nodes() {
+    for exponent in [0.005, 0.05, 0.2] {
+        let contact = of_file(&format!(
+            "[foundation]\npoisson_ratio = -0.07\ngrading_exponent = {exponent}\ngrading_modulus = 8.6e11\nroughness = 0\n[punch]\nhalf_width = 4.469e-2\n\
+             profile = \"9.876e-4*max(0, abs(xi) - 0.688)^2\"\n[load]\nforce = 1.79e6\nmoment = 0\n"
+        ));
+        assert!(contact.method().n < 600, "{exponent}: {}", contact.method().n);
+    }
+}
+
+/// The tilt of an eccentric disk is a difference of pressures, and has their rounding beside the axis.
+#[test]
+fn an_eccentric_disk_is_audited_beside_its_axis() {
+    let load = (Vertical::Force(7e-2), Rotational::Eccentricity(0.1));
+    let contact = solve((DISK, 1e-3, 1.0), "2.4e-3*abs(x)^1.9", load).audited().unwrap();
+    assert!(contact.relative_error() < 1e-12);
+}
+
+/// A settlement at an eccentricity is that of the force which leads to it, on a layer, where the smallest forces leave no digits of the heights.
+#[test]
+fn a_settlement_at_an_eccentricity_is_reached_through_small_forces() {
+    let problem = file::parse(
+        "[foundation]\npoisson_ratio = 0.3\nyoung_modulus = 4.7e9\nroughness = 4.2e-9\nthickness = 0.5\nbase = \"frictionless\"\n[punch]\nhalf_width = 0.48\n\
+         profile = \"3e-4*abs(xi - 0.08)\"\n[load]\nsettlement = 3.8e-3\neccentricity = -0.08\n",
+        "made.toml",
+    )
+    .unwrap();
+    let settled = problem.solve().unwrap();
+    let load =
+        Load::new(Vertical::Force(settled.force()), Rotational::Eccentricity(-0.08)).unwrap();
+    let forced = problem.with_load(load).unwrap().solve().unwrap();
+    assert_near(forced.settlement(), 3.8e-3, 1e-14);
+    assert_near(forced.tilt(), settled.tilt(), 1e-14);
+}
