@@ -1,6 +1,6 @@
 //! Complementarity between the nodes: where an answer pulls and where the base penetrates.
 
-use super::accuracy::SAFETY;
+use super::accuracy::{ROUNDING, SAFETY};
 use super::iteration::{Point, top};
 use crate::Error;
 
@@ -117,7 +117,8 @@ pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>
             let largest = if four[1].1 >= four[2].1 { 1 } else { 2 };
             three = [0, 1, 2].map(|i| four[largest + i - 1]);
         }
-        if missed > 0.0 && three[1].1 + SAFETY * missed > 0.0 {
+        let highest = three[1].1;
+        if missed > ROUNDING * highest.abs() && highest + SAFETY * missed > 0.0 {
             found.push(top(&value, three[0].0, three[2].0));
         }
     }
