@@ -18,8 +18,8 @@ const CROWD: usize = 12;
 const FILLING: usize = 30;
 /// The same of the potential at a place.
 const EVALUATION: usize = 600;
-/// Most entries of the near part.
-const MOST_ENTRIES: usize = 60_000_000;
+/// Most entries of the near part: with those of the operator before, and the directions of a solution, they stay below a gigabyte.
+const MOST_ENTRIES: usize = 40_000_000;
 /// Longest panel, as a share of `[-1, 1]`: it must lie in a leaf and its neighbours with all places that it is near to.
 pub(super) const LONGEST: f64 = 0.05;
 
