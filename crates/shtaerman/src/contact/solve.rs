@@ -79,11 +79,23 @@ impl Problem {
 
     /// The solution with heights as they are.
     pub(super) fn solve_as_given(&self) -> Result<Contact, Error> {
-        if let Some((settlement, e)) = self.settlement_at_eccentricity()
-            && self.bodies().law() != Law::Smooth
-        {
-            return self.solve_at_eccentricity(settlement, e);
+        match self.settlement_at_eccentricity() {
+            None => self.solve_at_once(),
+            Some((settlement, e)) if self.bodies().law() != Law::Smooth => {
+                self.solve_at_eccentricity(settlement, e)
+            }
+            // Of zones without a layer few are looked for at once, sooner than through all forces; where there are none those tell whether the settlement is in reach.
+            Some((settlement, e)) => match self.solve_at_once() {
+                Err(error) if error.is_numerical() => {
+                    let found = self.solve_at_eccentricity(settlement, e);
+                    found.map_err(|other| if other.is_numerical() { error } else { other })
+                }
+                found => found,
+            },
         }
+    }
+
+    fn solve_at_once(&self) -> Result<Contact, Error> {
         let setting = Setting::new(self);
         let found = solution(&setting)?;
         draw_up(setting, found)

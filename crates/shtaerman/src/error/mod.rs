@@ -130,7 +130,7 @@ pub enum Error {
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
         "settlement = {}: is out of reach of a force at the eccentricity {}: whatever the force, the middle of the punch settles no {bound} \
-         than {}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity", plain(*value), plain(*eccentricity), plain(*limit)
+         than about {}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity", plain(*value), plain(*eccentricity), plain(words::about(*limit))
     )]
     SettlementOutOfReach {
         /// The settlement given, SI.

@@ -14,6 +14,11 @@ pub(super) fn unsolved(reached: f64) -> &'static str {
     if reached < 1.0 { "no answer to two digits" } else { "no digit of the solution is certain" }
 }
 
+/// A value that is known to three digits.
+pub(super) fn about(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
 /// How far the search for zones came.
 pub(super) fn attempt(tension: f64, penetration: f64) -> String {
     if tension.is_nan() {

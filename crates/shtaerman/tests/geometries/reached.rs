@@ -142,3 +142,36 @@ fn a_settlement_at_an_eccentricity_is_reached_through_small_forces() {
     assert_near(forced.settlement(), 3.8e-3, 1e-14);
     assert_near(forced.tilt(), settled.tilt(), 1e-14);
 }
+
+/// Where no force leads to a settlement at an eccentricity that is said of a smooth base, too, whose zones are looked for at once.
+#[test]
+fn a_smooth_base_at_an_eccentricity_says_what_is_out_of_reach() {
+    let of = |load: &str| {
+        let text = format!(
+            "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0.3\nroughness = 0\n[punch]\nhalf_width = 0.01\nprofile = \"1e-5*(0.7*abs(xi - 0.2))\"\n[load]\n{load}\n"
+        );
+        file::parse(&text, "made.toml").unwrap().solve()
+    };
+    for (eccentricity, settlements) in
+        [(0.006, &[2e-6, 2e-5][..]), (-0.005, &[2e-6, 2e-5]), (0.0085, &[2e-5])]
+    {
+        // The settlements of all forces, from first touch on.
+        let settled = |force: f64| {
+            of(&format!("force = {force:e}\neccentricity = {eccentricity:e}")).unwrap().settlement()
+        };
+        let forces = (0..17).map(|k| 10.0 * 2f64.powi(k));
+        let all: Vec<f64> = forces.map(settled).collect();
+        let deepest = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        for &settlement in settlements {
+            match of(&format!("settlement = {settlement:e}\neccentricity = {eccentricity:e}")) {
+                Ok(contact) => {
+                    assert_near(settled(contact.force()), settlement, 1e-11 * settlement);
+                }
+                Err(error) => {
+                    assert!(matches!(error, Error::SettlementOutOfReach { .. }), "{error:?}");
+                    assert!(settlement > deepest, "{settlement} {deepest}");
+                }
+            }
+        }
+    }
+}
