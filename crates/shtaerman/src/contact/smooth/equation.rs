@@ -92,6 +92,10 @@ impl<F: FirstKind> Equation for F {
         let mut starts = Start::on_cells(base.cells(), MOST_CELLS);
         let place = if base.valleys().nth(1).is_none() { 0 } else { starts.len() };
         starts.insert(place, Start::Whole);
+        // A settlement at an eccentricity is no problem of least energy, which more cells would come nearer to: what few do not show the forces tell.
+        if base.setting.problem().settlement_at_eccentricity().is_some() {
+            starts.truncate(2);
+        }
         starts
     }
 
