@@ -134,8 +134,8 @@ impl Curve<'_> {
             let Some(point) = self.of(self.way, log) else {
                 is_lost |= before.take().is_some();
                 lost += 1;
-                // Where so many are lost one after the other the rest will be.
-                if lost == REACH / 2 {
+                // Where contacts were found and so many are lost after them the rest will be.
+                if is_lost && lost == REACH / 2 {
                     break;
                 }
                 continue;

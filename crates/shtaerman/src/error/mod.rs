@@ -137,7 +137,7 @@ pub enum Error {
         value: f64,
         /// The eccentricity given, SI.
         eccentricity: f64,
-        /// The settlement found that comes closest, SI.
+        /// The settlement found that comes closest, to three digits, SI.
         limit: f64,
         /// On which side of it no settlement is in reach: `deeper` or `less deep`.
         bound: &'static str,

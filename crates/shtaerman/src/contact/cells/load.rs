@@ -136,23 +136,21 @@ fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
             values[cell] = moment / (centres[cell] * roots[cell]);
         }
         (Vertical::Settlement(_), Rotational::Tilt(_)) => {}
-        // Any force will do that acts in the line.
-        (Vertical::Settlement(settlement), _) => {
-            let arm = load.arm().unwrap_or(0.0);
-            let density = balanced(centres, roots, arm);
-            let largest = density.iter().fold(f64::MIN_POSITIVE, |most, p| p.max(most));
-            for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
-                *value = settlement.abs() * p / largest * root;
-            }
-        }
-        (Vertical::Force(force), _) => {
-            // Without one an even pressure.
-            let arm = load.arm().unwrap_or_else(|| {
-                let mass: f64 = roots.iter().map(|root| root * root).sum();
-                centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass
+        (vertical, _) => {
+            // A force in its line, without one an even pressure; at a settlement any force will do that acts in the line.
+            let mass = || roots.iter().map(|root| root * root).sum::<f64>();
+            let arm = load.arm().unwrap_or_else(|| match vertical {
+                Vertical::Force(_) => {
+                    centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass()
+                }
+                Vertical::Settlement(_) => 0.0,
             });
             let density = balanced(centres, roots, arm);
             let carried: f64 = density.iter().zip(roots).map(|(p, root)| p * root * root).sum();
+            let force = match vertical {
+                Vertical::Force(force) => force,
+                Vertical::Settlement(settlement) => settlement.abs() * mass(),
+            };
             for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
                 *value = force * p / carried * root;
             }
