@@ -119,6 +119,9 @@ fn touches_about(solution: &dyn Solution, cut: f64) -> bool {
     beside.as_flattened().iter().any(|xi| xi.abs() <= 1.0 && solution.touches(*xi))
 }
 
+/// The relative error of an answer for which no other way is tried, unless a tolerance asks for less: that of another would take as long again (survey).
+const PLENTY: f64 = 1e-9;
+
 /// A way to solve the equation of a base with ends.
 #[derive(Debug, Clone, Copy)]
 enum Way {
@@ -130,12 +133,9 @@ enum Way {
 impl Way {
     /// The ways that suit a base, in the order in which they are tried.
     fn of(base: &Base) -> Vec<Self> {
-        // Edges of several zones may begin many lengths of the layer away, as cells are longer than it is: steps then take them nearer by a half each, which dense equations make long.
-        let takes_steps =
-            || base.valleys().count() > 1 && 2.0 * base.steepness() > base.cells() as f64;
         if !base.has_panels() {
             vec![Self::Collocation(Effort::MOST)]
-        } else if base.is_for_panels() || takes_steps() {
+        } else if base.is_for_panels() || !Collocation::new(base, Effort::LITTLE).is_quick() {
             vec![Self::Panels, Self::Collocation(Effort::LITTLE)]
         } else {
             vec![Self::Collocation(Effort::LITTLE), Self::Panels]
@@ -158,7 +158,7 @@ impl Way {
 
 /// The answer for a base with ends, by the way that has all digits that are aimed at, or comes nearest to them.
 fn open(base: &Base) -> Result<Arc<dyn Solution>, Error> {
-    let aim = base.problem().solver().tolerance.unwrap_or(base.problem().aim());
+    let aim = base.problem().solver().tolerance.unwrap_or(base.problem().aim().max(PLENTY));
     let enough = if base.is_for_panels() { f64::INFINITY } else { aim };
     let mut best: Option<Arc<dyn Solution>> = None;
     let mut refusal = unknown();

@@ -18,6 +18,8 @@ use crate::deadline::Deadline;
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys (survey).
 const NODES_A_VALLEY: f64 = 12.0;
+/// Most nodes with which the dense equation is quicker than panels (survey: `benches/plausible/run.py 5511 60`).
+const QUICK: f64 = 350.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything (one digit is the least that an answer has).
 const ALL_NOISE: f64 = 0.1;
 /// The least part of that: nodes crowd so much at an end that differences of the first have no digits left (rounding).
@@ -56,6 +58,15 @@ pub(in crate::contact::rough) struct Collocation<'b> {
 impl<'b> Collocation<'b> {
     pub(in crate::contact::rough) fn new(base: &'b Base, effort: Effort) -> Self {
         Self { base, effort, work: Work::default(), is_mirrored: base.is_mirrored() }
+    }
+
+    /// Whether an answer takes less time than on panels, as far as the zones tell that cells show; a layer that bends takes many steps on several of them (survey).
+    pub(in crate::contact::rough) fn is_quick(&self) -> bool {
+        let shown = self.base.coarse().unwrap_or_default();
+        let zones: Vec<Zone> = shown.iter().map(|ends| self.base.zone(*ends)).collect();
+        let panels: usize = zones.iter().map(|zone| zone.panels(&self.base.breaks).len()).sum();
+        let takes_steps = !self.base.layer.is_linear() && zones.len() > 1;
+        !takes_steps && 2.0 * panels as f64 * self.strength(&zones) <= QUICK
     }
 
     /// The answer on the whole base.
