@@ -206,11 +206,17 @@ impl Problem {
         height / self.bodies.unit(Scaling::displacement)
     }
 
-    /// The same at many places, which must be finite.
-    pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
+    /// The same at many places.
+    pub(crate) fn dimensionless_profiles(&self, places: &[f64]) -> Vec<f64> {
         let mut heights = self.profile().heights(places, self.bodies.half_width());
         let displacement = self.bodies.unit(Scaling::displacement);
         heights.iter_mut().for_each(|height| *height /= displacement);
+        heights
+    }
+
+    /// The same, which must be finite.
+    pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
+        let heights = self.dimensionless_profiles(places);
         match heights.iter().position(|height| !height.is_finite()) {
             Some(place) => self.checked(places[place], heights[place]).map(|_| heights),
             None => Ok(heights),

@@ -62,6 +62,7 @@ impl Compiled {
     }
 
     /// The value.
+    #[inline(always)]
     pub(super) fn run<V: Value>(&self, variable: impl Fn(usize) -> V) -> V {
         let zero = V::constant(0.0);
         if self.height < SMALL_STACK {
@@ -71,6 +72,7 @@ impl Compiled {
         }
     }
 
+    #[inline(always)]
     fn run_on<V: Value>(&self, variable: impl Fn(usize) -> V, stack: &mut [V]) -> V {
         let mut kept = [V::constant(0.0); KEPT];
         let mut top = 0;

@@ -87,7 +87,14 @@ impl Expression {
 
     /// The values for several sets of variables side by side, those of [`evaluate`](Self::evaluate) to the last bit for less.
     pub fn evaluate_beside<const COUNT: usize>(&self, variables: &[[f64; COUNT]]) -> [f64; COUNT] {
-        self.compiled.run(|index| variables.get(index).copied().unwrap_or([f64::NAN; COUNT]))
+        // As compiled for the widest vectors that the processor has.
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || {
+                self.compiled
+                    .run(|index| variables.get(index).copied().unwrap_or([f64::NAN; COUNT]))
+            },
+        )
     }
 
     /// The value at a parameter of a line.

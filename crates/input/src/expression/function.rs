@@ -1,6 +1,7 @@
 //! The functions and operators an expression can hold, and their values.
 
 use super::error::Arity;
+use super::waves::{cosine, sine};
 
 /// One argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -132,8 +133,8 @@ impl Unary {
             Unary::Log10 => u.log10(),
             Unary::Log2 => u.log2(),
             Unary::Log1p => u.ln_1p(),
-            Unary::Sin => u.sin(),
-            Unary::Cos => u.cos(),
+            Unary::Sin => sine(u),
+            Unary::Cos => cosine(u),
             Unary::Tan => u.tan(),
             Unary::Asin => u.asin(),
             Unary::Acos => u.acos(),

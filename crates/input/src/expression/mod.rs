@@ -81,6 +81,7 @@ mod taylor;
 mod terms;
 mod token;
 mod value;
+mod waves;
 
 #[cfg(test)]
 mod tests;

@@ -98,12 +98,10 @@ impl Check {
 
 /// Values at points, with the top of the parabola through each three of which the middle one is the largest: what exceeds little may do so between the points only, and what may
 /// exceed zero there is looked for.
-pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
-    let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
-    let mut found: Vec<Point> = points.iter().copied().zip(values.iter().copied()).collect();
-    let threes = points.windows(3).zip(values.windows(3));
-    for (x, v) in threes.filter(|(_, v)| v[1] >= v[0] && v[1] >= v[2]) {
-        let mut three = [0, 1, 2].map(|i| (x[i], v[i]));
+pub(super) fn with_tops(points: &[Point], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
+    let mut found = points.to_vec();
+    let threes = points.array_windows::<3>().filter(|[a, b, c]| b.1 >= a.1 && b.1 >= c.1);
+    for mut three in threes.copied() {
         let mut missed = 0.0f64;
         // The second lies about the first: a dip may be far narrower than places are apart.
         for _ in 0..2 {
@@ -175,6 +173,7 @@ mod tests {
     fn tops_between_points_are_seen() {
         let points: Vec<f64> = (0..11).map(|i| f64::from(i) * 0.1).collect();
         let value = |x: f64| 1.0 - 400.0 * (x - 0.55).powi(2);
+        let points: Vec<Point> = points.into_iter().map(|x| (x, value(x))).collect();
         let (points, values) = with_tops(&points, value);
         assert_eq!(above(&points[..5], &values[..5], 0.9).len(), 0);
         let found = above(&points, &values, 0.9);

@@ -33,18 +33,16 @@ impl Setting {
         let steps = (PLACES / zones.len().max(1)).max(1);
         let (profile, half_width) =
             (self.problem().profile(), self.problem().bodies().half_width());
-        let [mut rounding, mut largest] = [0.0f64; 2];
-        for [left, right] in zones {
-            for i in 0..steps {
-                let xi = left + (right - left) * (i as f64 + GOLDEN) / steps as f64;
-                let xi = xi.clamp(-1.0, 1.0);
-                largest = largest.max(profile.height(xi, half_width).abs());
-                let here = profile.rounding(xi, half_width);
-                if here.is_finite() {
-                    rounding = rounding.max(here);
-                }
-            }
-        }
+        let in_zone = |[left, right]: &[f64; 2]| {
+            let (left, length) = (*left, right - left);
+            (0..steps).map(move |i| left + length * (i as f64 + GOLDEN) / steps as f64)
+        };
+        let places: Vec<f64> =
+            zones.iter().flat_map(in_zone).map(|xi| xi.clamp(-1.0, 1.0)).collect();
+        let largest =
+            profile.heights(&places, half_width).iter().fold(0.0, |most, f| f.abs().max(most));
+        let roundings = places.iter().map(|xi| profile.rounding(*xi, half_width));
+        let rounding = roundings.filter(|here| here.is_finite()).fold(0.0, f64::max);
         let scale = self.problem().bodies().unit(Scaling::displacement);
         [rounding / scale, largest / scale]
     }

@@ -18,22 +18,21 @@ pub(in crate::contact) struct Loaded {
 }
 
 impl Loaded {
-    /// Equations times `gain`; a force is that of `sum m p`.
+    /// Equations times `gain` for the mean heights over the cells; a force is that of `sum m p`.
     pub(in crate::contact) fn new(
         cells: &Cells,
         roots: &[f64],
         load: Load,
         gain: f64,
-        height: impl Fn(f64) -> f64,
+        means: &[f64],
     ) -> Self {
         let centres: Vec<f64> = cells.cells().iter().map(Cell::centre).collect();
         let weighted = |f: &dyn Fn(f64) -> f64| -> Vec<f64> {
             roots.iter().zip(&centres).map(|(root, x)| root * f(*x)).collect()
         };
         let (ones, lever) = (weighted(&|_| 1.0), weighted(&|x| x));
-        let mut right: Vec<f64> = (roots.iter().zip(cells.cells()))
-            .map(|(root, cell)| -gain * root * cell.mean(&height))
-            .collect();
+        let mut right: Vec<f64> =
+            roots.iter().zip(means).map(|(root, mean)| -gain * root * mean).collect();
         let mut add = |column: &[f64], by: f64| {
             right.iter_mut().zip(column).for_each(|(value, c)| *value += gain * by * c);
         };
@@ -82,24 +81,26 @@ pub(in crate::contact) fn solve_thin(
     (roots, matrix): (Vec<f64>, Vec<f64>),
     load: Load,
     theta: f64,
-    height: impl Fn(f64) -> f64,
+    heights: impl Fn(&[f64]) -> Vec<f64>,
 ) -> Result<Vec<f64>, Error> {
-    let [level, slope] = resting(cells, load, &height);
-    let above = |x: f64| height(x) - (level + slope * x);
+    let [level, slope] = resting(cells, load, &cells.means(&heights));
+    let above = |places: &[f64]| -> Vec<f64> {
+        places.iter().zip(heights(places)).map(|(x, height)| height - (level + slope * x)).collect()
+    };
     // Of a layer too thin to matter: its share is rounding.
     let thin = 1.0 / STAGNANT;
-    let loaded = Loaded::new(cells, &roots, load, thin / theta, above);
+    let loaded = Loaded::new(cells, &roots, load, thin / theta, &cells.means(above));
     Ok(loaded.solve(deadline, cells, matrix, thin)?.values)
 }
 
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is
 /// beside, and the pressure is the same. None but zero where it is not free to move there.
-fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] {
+fn resting(cells: &Cells, load: Load, means: &[f64]) -> [f64; 2] {
     let (Vertical::Force(_), Some(arm)) = (load.vertical, load.arm()) else { return [0.0; 2] };
     // The lower hull of the heights, from left to right.
     let mut hull: Vec<[f64; 2]> = Vec::new();
-    for cell in cells.cells() {
-        let next = [cell.centre(), cell.mean(height)];
+    for (cell, mean) in cells.cells().iter().zip(means) {
+        let next = [cell.centre(), *mean];
         while let [.., before, last] = hull[..]
             && (last[1] - before[1]) * (next[0] - before[0])
                 >= (next[1] - before[1]) * (last[0] - before[0])

@@ -52,11 +52,10 @@ impl Cell {
         0.5 * (self.left + self.right)
     }
 
-    /// Simpson's mean of a profile, from inside the cell.
-    pub(super) fn mean(&self, height: impl Fn(f64) -> f64) -> f64 {
+    /// Places of Simpson's rule, inside the cell.
+    fn places(&self) -> [f64; 3] {
         let inside = 0.5 * self.width() * (1.0 - INSIDE);
-        let at = |side: f64| height(self.centre() + side * inside);
-        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+        [-1.0, 0.0, 1.0].map(|side| self.centre() + side * inside)
     }
 
     fn parts(self, count: usize) -> impl Iterator<Item = Self> {
@@ -77,6 +76,18 @@ pub(super) struct Cells {
 }
 
 impl Cells {
+    /// Simpson's means of a profile over the cells, from its heights at many places.
+    pub(super) fn means(&self, heights: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
+        let places: Vec<f64> = self.cells.iter().flat_map(Cell::places).collect();
+        let heights = heights(&places);
+        heights
+            .as_chunks()
+            .0
+            .iter()
+            .map(|[left, at, right]| (left + 4.0 * at + right) / 6.0)
+            .collect()
+    }
+
     /// Pieces of a base, each cut at places in any order, of which those too close to one another or to an end are left out. At first all cells carry.
     fn new(pieces: impl IntoIterator<Item = ([f64; 2], Vec<f64>)>, limits: Limits) -> Self {
         let shortest = limits.shortest;

@@ -10,6 +10,7 @@ use crate::contact::accuracy::SAFETY;
 use crate::contact::check::between_breaks;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
+use crate::contact::iteration::Point;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
@@ -121,6 +122,12 @@ impl Base {
         self.surface.height(xi)
     }
 
+    /// Places with their heights.
+    pub(super) fn points(&self, places: Vec<f64>) -> Vec<Point> {
+        let heights = self.surface.heights(&places);
+        places.into_iter().zip(heights).collect()
+    }
+
     /// The same, looked up at a sample.
     pub(super) fn sampled_height(&self, xi: f64) -> f64 {
         match self.samples.binary_search_by(|(at, _)| at.total_cmp(&xi)) {
@@ -131,7 +138,8 @@ impl Base {
 
     /// `f0` at places, which must be finite.
     pub(super) fn heights(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
-        places.iter().map(|&xi| self.problem().checked(xi, self.height(xi))).collect()
+        let heights = self.surface.heights(places).into_iter().zip(places);
+        heights.map(|(height, xi)| self.problem().checked(*xi, height)).collect()
     }
 
     /// The wave seen between `cut` and `cut + 2`.

@@ -5,6 +5,7 @@ use super::nodes::{Field, between_nodes};
 use super::solved::Solved;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::{Check, POINTS, with_tops};
+use crate::contact::iteration::Point;
 use crate::contact::steps::INSIDE;
 use crate::contact::zones::{are_images, outside};
 
@@ -14,13 +15,18 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
     let largest = solved.deepest().max(f64::MIN_POSITIVE);
     let floor = SAFETY * solved.rounding();
     let layer = |xi: f64| solved.layer_at(xi, base.sampled_height(xi));
+    let layers = |[left, right]: [f64; 2], sign: f64| -> Vec<Point> {
+        let points = points(base, left, right);
+        let layers = solved.layers_at(&points).into_iter();
+        points.into_iter().zip(layers).map(|((xi, _), layer)| (xi, sign * layer)).collect()
+    };
     let mut check = Check { largest, ..Check::none() };
     let zones = &solved.nodes.zones;
     // Of what is its own mirror image one half tells all.
     let is_half = are_images(zones) && base.is_mirrored();
     let from = if is_half { 0.0 } else { f64::NEG_INFINITY };
     for zone in zones.iter().filter(|zone| zone.right() > from) {
-        let points = points(base, zone.left().max(from), zone.right());
+        let points = layers([zone.left().max(from), zone.right()], -1.0);
         let (points, values) = with_tops(&points, |xi| -layer(xi));
         check.add_tension(&points, &values, [largest, allowed * largest + floor]);
     }
@@ -29,23 +35,27 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
     let scale = solved.size() + solved.state.settlement.abs() + solved.state.tilt.abs();
     let gaps = outside(&base.pieces, zones).into_iter();
     for [left, right] in gaps.filter(|[_, right]| *right > from) {
-        let (points, values) = with_tops(&points(base, left.max(from), right), layer);
+        let (points, values) = with_tops(&layers([left.max(from), right], 1.0), layer);
         check.add_penetration(&points, &values, [scale, allowed, floor]);
     }
     if is_half { check.with_images() } else { check }
 }
 
-/// Of every part both ends, places between that are closer near the ends, and the samples of the profile.
-fn points(base: &Base, left: f64, right: f64) -> Vec<f64> {
+/// Of every part both ends, places between that are closer near the ends, and the samples of the profile; with their heights.
+fn points(base: &Base, left: f64, right: f64) -> Vec<Point> {
     let inside = base.breaks.iter().copied().filter(|at| *at > left && *at < right);
-    let mut points: Vec<f64> = Vec::new();
+    let mut places: Vec<f64> = Vec::new();
+    let mut points: Vec<Point> = Vec::new();
     for [left, right] in crate::order::parts([left, right], inside) {
         let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         let reach = half * (1.0 - INSIDE);
-        points.extend(between_nodes(POINTS).map(|y| (middle + reach * y).clamp(left, right)));
+        places.extend(between_nodes(POINTS).map(|y| (middle + reach * y).clamp(left, right)));
         let [from, to] =
             [left, right].map(|end| base.samples.partition_point(|(at, _)| *at <= end));
-        points.extend(base.samples[from..to].iter().map(|(at, _)| *at).filter(|at| *at < right));
+        points.extend(base.samples[from..to].iter().filter(|(at, _)| *at < right));
     }
-    crate::order::ascending(points)
+    points.extend(base.points(places));
+    crate::order::sort_by_number(&mut points, |one| one.0);
+    points.dedup_by(|next, before| next.0 == before.0);
+    points
 }

@@ -15,7 +15,8 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     let gain = reference / base.layer.displacement(reference);
     let cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |_| base.breaks.clone());
     cells.settled(base.ground.as_ref(), |cells, roots, matrix| {
-        let loaded = Loaded::new(cells, &roots, load, gain, |xi| base.height(xi));
+        let means = cells.means(|places| base.surface.heights(places));
+        let loaded = Loaded::new(cells, &roots, load, gain, &means);
         let (deadline, theta) = (base.problem().deadline(), gain * base.strength());
         Ok(loaded.solve(deadline, cells, matrix, theta)?.values)
     })

@@ -78,12 +78,15 @@ fn pressure_rounding<F: Field>(solved: &Solved<F>) -> f64 {
 fn difference<F: Field>(base: &Base, fine: &Solved<F>, coarse: &Solved<F>) -> Change {
     let between = F::between();
     let is_covered = |xi: f64| coarse.nodes.zone(xi).is_some();
-    let place = |xi: f64| {
-        // The profile is the same to both.
-        let needs_height = !is_covered(xi) || !fine.layer.is_linear();
-        (xi, if needs_height { base.height(xi) } else { 0.0 })
-    };
-    let places: Vec<Point> = fine.nodes.on_panels(&between).map(place).collect();
+    // The profile is the same to both.
+    let needs_height = |xi: f64| !is_covered(xi) || !fine.layer.is_linear();
+    let mut places: Vec<Point> = fine.nodes.on_panels(&between).map(|xi| (xi, 0.0)).collect();
+    let without =
+        places.iter_mut().filter(|(xi, _)| needs_height(*xi)).map(|(xi, height)| (*xi, height));
+    let (asked, heights): (Vec<f64>, Vec<&mut f64>) = without.unzip();
+    for (height, known) in heights.into_iter().zip(base.surface.heights(&asked)) {
+        *height = known;
+    }
     let covered: Vec<Point> = places.iter().copied().filter(|(xi, _)| is_covered(*xi)).collect();
     let mut others = coarse.layers_at(&covered).into_iter();
     let differences = places.iter().zip(fine.layers_at(&places)).map(|((xi, _), layer)| {

@@ -77,6 +77,15 @@ impl Surface {
         }
     }
 
+    /// The same at many places.
+    pub(super) fn heights(&self, places: &[f64]) -> Vec<f64> {
+        if self.tangent.is_some() {
+            return places.iter().map(|xi| self.height(*xi)).collect();
+        }
+        let on_base: Vec<f64> = places.iter().map(|xi| self.on_base(*xi)).collect();
+        self.setting.problem().dimensionless_profiles(&on_base)
+    }
+
     /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));

@@ -242,6 +242,12 @@ impl Base {
         self.setting.height(self.own(xi))
     }
 
+    /// The same at many places.
+    pub(super) fn heights(&self, places: &[f64]) -> Vec<f64> {
+        let own: Vec<f64> = places.iter().map(|xi| self.own(*xi)).collect();
+        self.setting.problem().dimensionless_profiles(&own)
+    }
+
     /// `df0/dxi`, NaN where there is none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)

@@ -6,6 +6,7 @@ use super::base::Base;
 use super::pressure::{Pressure, place};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
+use crate::contact::iteration::Point;
 use crate::contact::zones::{EndKind, Zone, outside};
 
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
@@ -62,10 +63,12 @@ impl Along {
         points = crate::order::ascending(points.into_iter().chain(closing_in(base, &zone)));
         points.retain(|xi| zone.left() <= *xi && *xi <= zone.right());
         let has_corner = zone.kinds.contains(&EndKind::Wall);
-        let (points, pulls) = with_tops(&points, |xi| {
+        let pull = |xi: f64| {
             let place = place(&zone, xi);
             -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
-        });
+        };
+        let points: Vec<Point> = points.into_iter().map(|xi| (xi, pull(xi))).collect();
+        let (points, pulls) = with_tops(&points, pull);
         let first = points.iter().find(|xi| **xi > zone.left());
         let first = first.map_or(0.5, |xi| (xi - zone.left()) / zone.length());
         let steepest =
@@ -87,6 +90,7 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
         let depth = |xi: f64| state.settlement - state.tilt * xi - base.height_in(ends, xi);
         let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
         let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
+        let points: Vec<Point> = points.into_iter().map(|xi| (xi, value(xi))).collect();
         let (points, values) = with_tops(&points, value);
         check.add_penetration(&points, &values, [scale, allowed, floor]);
     }

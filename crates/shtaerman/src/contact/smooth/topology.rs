@@ -25,8 +25,8 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
             strength *= ground.exponent();
             without_constant(&mut matrix, &roots, ground.exponent());
         }
-        let height = |xi: f64| base.height(xi);
-        solve_thin(base.deadline(), cells, (roots, matrix), load, strength, height)
+        let heights = |places: &[f64]| base.heights(places);
+        solve_thin(base.deadline(), cells, (roots, matrix), load, strength, heights)
     })
 }
 

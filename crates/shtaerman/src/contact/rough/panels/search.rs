@@ -194,7 +194,7 @@ impl<'b> ManyPanels<'b> {
             let [first, last] = [piece[0].0, piece[piece.len() - 1].0];
             let own = marks.iter().copied().filter(|xi| (first..=last).contains(xi));
             let mut points = piece.clone();
-            points.extend(own.map(|xi| (xi, base.height(xi))));
+            points.extend(base.points(own.collect()));
             crate::order::sort_by_number(&mut points, |one| one.0);
             points.dedup_by(|one, two| one.0 == two.0);
             let known: Vec<Option<f64>> = points.iter().map(|(xi, _)| inside(*xi)).collect();
@@ -253,7 +253,7 @@ fn places(base: &Base, joints: &[f64], [from, to]: [f64; 2]) -> Places {
             places.extend(known.iter().filter(|(at, _)| *at < pair[1]));
         } else {
             let at = |i: usize| pair[0] + (pair[1] - pair[0]) * i as f64 / fewest as f64;
-            places.extend((1..fewest).map(|i| (at(i), base.height(at(i)))));
+            places.extend(base.points((1..fewest).map(at).collect()));
         }
     }
     places.push((to, base.sampled_height(to)));
