@@ -1,16 +1,18 @@
-//! When a search has to come to its end.
+//! When a search has to come to its end: by the clock where a limit of time is given, else by the work it has done, which is the same on every machine.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// The end of the time that a solve may take, or the wish of its caller to end it; without a limit no clock is read.
+/// The end of the time, or of the work, that a solve may take, or the wish of its caller to end it; without a limit of time no clock is read.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Deadline(Option<Arc<End>>);
 
 #[derive(Debug)]
 struct End {
     at: Option<Instant>,
+    /// What is left of the work, in cubes of the numbers of unknowns of dense systems; none where time is limited.
+    work: Option<AtomicU64>,
     /// Set by the caller who does not want to wait any longer.
     stop: Option<Arc<AtomicBool>>,
     /// Once the answer is there, nothing that is asked of it ends early.
@@ -21,13 +23,26 @@ impl Deadline {
     /// From now on; a limit beyond what a clock can tell is none.
     pub(crate) fn after(limit: Duration) -> Self {
         let end = ending(limit);
-        Self(end.map(|at| Arc::new(End::new(Some(at), None))))
+        Self(end.map(|at| Arc::new(End::new(Some(at), None, None))))
     }
 
-    /// From now on, and earlier where the caller says so.
-    pub(crate) fn unless(stop: &Arc<AtomicBool>, limit: Option<Duration>) -> Self {
-        let end = limit.and_then(ending);
-        Self(Some(Arc::new(End::new(end, Some(Arc::clone(stop))))))
+    /// After so much work.
+    pub(crate) fn of_work(most: f64) -> Self {
+        Self(Some(Arc::new(End::new(None, Some(most), None))))
+    }
+
+    /// After this time, or else so much work, and earlier where the caller says so.
+    pub(crate) fn unless(stop: &Arc<AtomicBool>, limit: Option<Duration>, most: f64) -> Self {
+        let (end, work) = (limit.and_then(ending), limit.is_none().then_some(most));
+        Self(Some(Arc::new(End::new(end, work, Some(Arc::clone(stop))))))
+    }
+
+    /// Takes work from what is left.
+    pub(crate) fn spend(&self, work: f64) {
+        if let Some(left) = self.0.as_ref().and_then(|end| end.work.as_ref()) {
+            let rest = left.load(Ordering::Relaxed).saturating_sub(work as u64);
+            left.store(rest, Ordering::Relaxed);
+        }
     }
 
     /// Whether there is one that holds.
@@ -56,12 +71,14 @@ fn ending(limit: Duration) -> Option<Instant> {
 }
 
 impl End {
-    fn new(at: Option<Instant>, stop: Option<Arc<AtomicBool>>) -> Self {
-        Self { at, stop, is_lifted: AtomicBool::new(false) }
+    fn new(at: Option<Instant>, work: Option<f64>, stop: Option<Arc<AtomicBool>>) -> Self {
+        let work = work.map(|most| AtomicU64::new(most as u64));
+        Self { at, work, stop, is_lifted: AtomicBool::new(false) }
     }
 
     fn is_past(&self) -> bool {
         self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
+            || self.work.as_ref().is_some_and(|left| left.load(Ordering::Relaxed) == 0)
             || self.at.is_some_and(|at| Instant::now() >= at)
     }
 }

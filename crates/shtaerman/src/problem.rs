@@ -14,6 +14,9 @@ use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solve
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
+/// What a search may take, in cubes of the numbers of unknowns of dense systems: about four seconds (survey), and as much again for so many measured points.
+const MOST_WORK: f64 = 1.2e11;
+const POINTS_OF_WORK: f64 = 1000.0;
 
 /// A punch on a foundation under a load: physical in SI units, or [dimensionless](Foundation::dimensionless).
 ///
@@ -168,15 +171,25 @@ impl Problem {
         Self { solver, ..self.clone() }
     }
 
-    /// The same problem with the time that its solver allows running from now on; none where it runs already, or there is no limit.
+    /// The same problem with the time that its solver allows running from now on, or else with the work of a search; none where that runs already.
     pub(crate) fn timed(&self) -> Option<Self> {
-        let limit = self.solver.time_limit().filter(|_| !self.deadline.is_set())?;
-        Some(Self { deadline: Deadline::after(limit), ..self.clone() })
+        if self.deadline.is_set() {
+            return None;
+        }
+        let of_work = || Deadline::of_work(self.most_work());
+        let deadline = self.solver.time_limit().map_or_else(of_work, Deadline::after);
+        Some(Self { deadline, ..self.clone() })
+    }
+
+    /// What a search may take.
+    fn most_work(&self) -> f64 {
+        let points = self.profile().measured_points().unwrap_or(0);
+        MOST_WORK * (1.0 + points as f64 / POINTS_OF_WORK)
     }
 
     /// The same problem with the time that its solver allows running from now on, and with an end of it where `stop` is set.
     pub(crate) fn stopped_by(&self, stop: &Arc<AtomicBool>) -> Self {
-        let deadline = Deadline::unless(stop, self.solver.time_limit());
+        let deadline = Deadline::unless(stop, self.solver.time_limit(), self.most_work());
         Self { deadline, ..self.clone() }
     }
 

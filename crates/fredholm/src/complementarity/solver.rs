@@ -80,17 +80,17 @@ impl Complementarity {
         start: &[bool],
         feasible: &[f64],
     ) -> Result<ComplementaritySolution, Error> {
-        self.solve_until(&|| false, right, conditions, start, feasible)
+        self.solve_until(&|_| false, right, conditions, start, feasible)
     }
 
-    /// The same; where the safe method is needed, which can take many steps, and `is_over` says meanwhile that there is no more time for it, what it has come to: `z >= 0` that meets
+    /// The same; where the safe method is needed, which can take many steps, and `is_over`, asked with the order of each system that was solved, says meanwhile that there is no more time for it, what it has come to: `z >= 0` that meets
     /// the conditions.
     ///
     /// # Errors
     /// Those of [`Complementarity::solve`].
     pub fn solve_until(
         &self,
-        is_over: &dyn Fn() -> bool,
+        is_over: &dyn Fn(usize) -> bool,
         right: &[f64],
         conditions: &[Condition],
         start: &[bool],
@@ -151,7 +151,7 @@ impl Problem<'_> {
     fn descended(
         &self,
         feasible: &[f64],
-        is_over: &dyn Fn() -> bool,
+        is_over: &dyn Fn(usize) -> bool,
     ) -> Result<ComplementaritySolution, Error> {
         let mut z = feasible.to_vec();
         let mut set: Vec<bool> = z.iter().map(|z| *z > 0.0).collect();
@@ -159,7 +159,7 @@ impl Problem<'_> {
         let mut left = f64::INFINITY;
         for iterations in 1..=most {
             let Some(Restricted { values, multipliers }) = self.restricted(&set)? else { break };
-            if is_over() {
+            if is_over(set.iter().filter(|is_in| **is_in).count()) {
                 return Ok(ComplementaritySolution { values: z, multipliers, iterations });
             }
             // Those that came in at zero and would become negative are sent back at once.
@@ -357,7 +357,7 @@ mod tests {
                     let found = matrix.solve(right, conditions, &[true; 90], feasible).unwrap();
                     check(&case, &found);
                     let problem = Problem { matrix, right, conditions };
-                    let safe = problem.descended(feasible, &|| false).unwrap();
+                    let safe = problem.descended(feasible, &|_| false).unwrap();
                     check(&case, &safe);
                     let difference = (found.values.iter().zip(&safe.values))
                         .fold(0.0f64, |most, (one, two)| most.max((one - two).abs()));
@@ -372,10 +372,10 @@ mod tests {
         let case = case(60, 1.0, 0.3, |x| 40.0 * (x * x + 0.2 * (9.0 * x).sin()));
         let Case { matrix, right, conditions, feasible } = &case;
         let problem = Problem { matrix, right, conditions };
-        let whole = problem.descended(feasible, &|| false).unwrap();
+        let whole = problem.descended(feasible, &|_| false).unwrap();
         for steps in 0..whole.iterations {
             let left = std::cell::Cell::new(steps);
-            let is_over = || left.replace(left.get().saturating_sub(1)) == 0;
+            let is_over = |_| left.replace(left.get().saturating_sub(1)) == 0;
             let ended = problem.descended(feasible, &is_over).unwrap();
             assert!(ended.iterations == steps + 1 && ended.values.iter().all(|z| *z >= 0.0));
             for condition in conditions {

@@ -3,7 +3,7 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, DiskProblem, Prescribed, Profile, Refusal};
 
 use super::accuracy::OF_A_VALUE;
 use super::ground::SHARP;
@@ -246,12 +246,14 @@ impl Contact {
         let bound = found.map_err(Unaudited::Refused)?;
         let largest = self.peak().0.abs();
         let mean_square = bound.mean_square / largest;
-        let is_sharp = matches!(posed, Posed::Plane(kernel, _, 1.0)
-            if matches!(**kernel, Kernel::Power { exponent } if exponent >= SHARP));
-        if is_sharp && bound.pressure > ROUGHEST * largest && mean_square < IN_THE_MEAN {
-            return Err(Unaudited::InTheMeanOnly { mean_square });
+        if posed.exponent() < SHARP || bound.pressure <= ROUGHEST * largest {
+            return Ok((bound, posed.is_bound()));
         }
-        Ok((bound, posed.is_bound()))
+        match posed {
+            _ if mean_square < IN_THE_MEAN => Err(Unaudited::InTheMeanOnly { mean_square }),
+            Posed::Plane(_, _, 1.0) | Posed::Layered(..) => Ok((bound, posed.is_bound())),
+            Posed::Plane(..) | Posed::Disk(..) => Err(Unaudited::TOO_SHARP),
+        }
     }
 
     /// The tangent stiffness without dimensions. Of a wave, which is infinitely stiff against tilt, nothing follows from the coupling.

@@ -100,8 +100,8 @@ impl Check {
 /// exceed zero there is looked for.
 pub(super) fn with_tops(points: &[Point], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
     let mut found = points.to_vec();
-    let threes = points.array_windows::<3>().filter(|[a, b, c]| b.1 >= a.1 && b.1 >= c.1);
-    for mut three in threes.copied() {
+    let threes = points.windows(3).map(|three| [three[0], three[1], three[2]]);
+    for mut three in threes.filter(|[a, b, c]| b.1 >= a.1 && b.1 >= c.1) {
         let mut missed = 0.0f64;
         // The second lies about the first: a dip may be far narrower than places are apart.
         for _ in 0..2 {

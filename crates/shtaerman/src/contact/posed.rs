@@ -24,6 +24,18 @@ impl Posed {
     pub(super) fn is_bound(&self) -> bool {
         matches!(self, Self::Plane(_, _, layer) if *layer == 1.0)
     }
+
+    /// The exponent of the ground.
+    pub(super) fn exponent(&self) -> f64 {
+        match self {
+            Self::Plane(kernel, ..) => match **kernel {
+                Kernel::Power { exponent } => exponent,
+                _ => 0.0,
+            },
+            Self::Disk(exponent, _) => *exponent,
+            Self::Layered(..) => 0.0,
+        }
+    }
 }
 
 /// What a contact asks of the audit, or why it has none.

@@ -28,13 +28,12 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     ///
-    /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search.
+    /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search; [`Error::WorkLimit`] where it has none, and the search is a long one.
     pub fn solve(&self) -> Result<Contact, Error> {
         let contact = self.solve_or_best()?;
         if contact.is_unfinished() {
             // Also of a problem solved on the way to another's answer, whose solver has no limit of its own.
-            let limit = self.solver().time_limit().unwrap_or_default();
-            return Err(Error::TimeLimit { limit });
+            return Err(self.out_of_time());
         }
         Ok(contact)
     }
@@ -53,9 +52,18 @@ impl Problem {
         let found = found(self);
         let is_past = self.deadline().is_past();
         self.deadline().lift();
-        let limit = self.solver().time_limit().unwrap_or_default();
-        // What the end of the time made of the search.
-        found.map_err(|error| if is_past { Error::TimeLimit { limit } } else { error })
+        match found {
+            // What the end of the time made of the search.
+            Err(_) if is_past => Err(self.out_of_time()),
+            Ok(contact) if contact.is_unfinished() && self.solver().time_limit().is_none() => {
+                Err(self.out_of_time())
+            }
+            found => found,
+        }
+    }
+
+    fn out_of_time(&self) -> Error {
+        self.solver().time_limit().map_or(Error::WorkLimit, |limit| Error::TimeLimit { limit })
     }
 
     /// [Solves](Self::solve) the problem unless `stop` is set meanwhile, from another thread: the search then ends at its next step, and there is no answer.

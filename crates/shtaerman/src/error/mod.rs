@@ -105,6 +105,12 @@ pub enum Error {
         limit: Duration,
     },
 
+    /// The search for an answer took more work than one may that has no limit of time.
+    #[error(
+        "no answer was found with as much work as takes about five seconds: a `time_limit` (--time-limit) of your own in its place, such as \"1 min\", allows more; or resolve what the profile shows by fewer kinks, steps or measured points"
+    )]
+    WorkLimit,
+
     /// The audit found the answer wrong.
     #[error("no answer was found that stands the audit: {reason}")]
     AuditFailed {
@@ -461,6 +467,7 @@ impl Error {
                 | Self::UnclearBend
                 | Self::AuditFailed { .. }
                 | Self::TimeLimit { .. }
+                | Self::WorkLimit
                 | Self::TooManyParts { .. }
                 | Self::TooNarrow { .. }
                 | Self::ZonesTooClose { .. }

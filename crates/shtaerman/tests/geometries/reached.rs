@@ -175,3 +175,50 @@ fn a_smooth_base_at_an_eccentricity_says_what_is_out_of_reach() {
         }
     }
 }
+
+/// A settlement that leaves the level base clear, and a moment that turns it into contact: on a layer that bends as on a linear one.
+#[test]
+fn a_moment_turns_a_base_that_is_clear_into_contact() {
+    let law = |exponent: f64| {
+        let text = format!(
+            "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0\nroughness = {{ displacement = 1e-6, pressure = 1e6, exponent = {exponent} }}\n[punch]\nhalf_width = 0.01\nprofile = \"0.1*x^2\"\n[load]\n"
+        );
+        move |load: String| of_file(&format!("{text}{load}\nmoment = 5\n"))
+    };
+    for exponent in [0.4, 0.9] {
+        let under = law(exponent);
+        let forced = under("force = 1000".into());
+        assert!(forced.settlement() < 0.0, "clear without the moment");
+        let settled = under(format!("settlement = {:?}", forced.settlement()));
+        assert_near(settled.force(), 1000.0, 1e-6);
+        assert_near(settled.tilt(), forced.tilt(), 1e-10 * forced.tilt().abs());
+    }
+}
+
+/// The audit of a disk tells next to nothing beside corners as sharp as these; the answer stands without it.
+#[test]
+fn a_disk_on_strongly_graded_ground_stands_without_an_audit() {
+    let of_exponent = |exponent: f64| {
+        let text = format!(
+            "[foundation]\ngrading_exponent = {exponent}\ngrading_modulus = 1e9\npoisson_ratio = 0\nroughness = 6.3662e-12\n[punch]\ngeometry = \"circular\"\nradius = 1\nprofile = \"0\"\n[load]\nforce = 1e7\nmoment = 0\n"
+        );
+        of_file(&text)
+    };
+    let sharp = of_exponent(0.8).audited().unwrap();
+    let reason = sharp.audited_by().unwrap().as_ref().unwrap_err().to_string();
+    assert!(reason.contains("no hundredth"), "{reason}");
+    // A series of Zernike's polynomials: 16.7984 mm.
+    assert_near(sharp.settlement(), 16.7984e-3, 5e-8);
+    assert!(of_exponent(0.4).audited().unwrap().audited_by().unwrap().is_ok());
+}
+
+/// A search without a limit of time ends by its work, at the same step on every machine; a limit of its own takes the place of that.
+#[test]
+fn a_long_search_ends_by_its_work() {
+    let text = "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"periodic\"\nperiod = 2.23\nhalf_width = 1\nprofile = \"1e-3*abs(x)\"\n[load]\nsettlement = 3e-3\neccentricity = -0.6\n";
+    let long = file::parse(text, "made.toml").unwrap();
+    assert_eq!(long.solve().unwrap_err(), Error::WorkLimit);
+    let limit = std::time::Duration::from_millis(50);
+    let limited = long.with_solver(Solver::default().with_time_limit(limit).unwrap());
+    assert_eq!(limited.solve().unwrap_err(), Error::TimeLimit { limit });
+}

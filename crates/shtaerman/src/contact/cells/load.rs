@@ -67,7 +67,10 @@ impl Loaded {
         matrix: Vec<f64>,
         theta: f64,
     ) -> Result<ComplementaritySolution, Error> {
-        let is_over = || deadline.is_past();
+        let is_over = |order: usize| {
+            deadline.spend((order as f64).powi(3));
+            deadline.is_past()
+        };
         let Self { right, conditions, feasible, .. } = self;
         let matrix = Complementarity::new(matrix, theta)?;
         Ok(matrix.solve_until(&is_over, right, conditions, &cells.carrying(), feasible)?)

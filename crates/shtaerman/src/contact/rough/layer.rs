@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::base::Base;
 use crate::contact::iteration::STEPS;
 use crate::error::require;
-use crate::{Error, Problem, Vertical};
+use crate::{Error, Problem, Rotational, Vertical};
 
 /// Share of the layer under about the mean pressure below which there is next to no pressure (survey).
 pub(super) const FAINT: f64 = 0.1;
@@ -100,7 +100,7 @@ pub(super) fn reference_pressure(
             let deepest = (base.samples.iter())
                 .map(|(xi, height)| settlement - base.tilt() * xi - height)
                 .fold(0.0, f64::max);
-            let length: f64 = intervals.map(|[left, right]| right - left).sum();
+            let length: f64 = intervals.clone().map(|[left, right]| right - left).sum();
             let depth = |p: f64| base.layer.displacement(p) + base.theta() * length * p;
             let (mut low, mut high) =
                 (f64::MIN_POSITIVE, deepest.powf(1.0 / base.layer.exponent()));
@@ -108,7 +108,12 @@ pub(super) fn reference_pressure(
                 let middle = (low * high).sqrt();
                 if depth(middle) < deepest { low = middle } else { high = middle }
             }
-            low
+            // A base that turns may touch where the level one is clear.
+            let moment = match base.load.rotational {
+                Rotational::Moment(moment) => moment.abs(),
+                Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
+            };
+            low.max(moment / base.area(intervals))
         }
     };
     pressure.max(f64::MIN_POSITIVE)

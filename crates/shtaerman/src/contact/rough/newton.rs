@@ -74,6 +74,7 @@ fn linear<D: Discrete>(on: &D, near: Option<Start>) -> Result<Found<'_, D>, Erro
     let near = start.as_ref().map_or(0.0, |start| on.norm(start));
     let size = [near, uniform, on.norm(&right)].into_iter().find(|size| *size > 0.0);
     let residual = on.residual() * size.unwrap_or(1.0);
+    on.base().problem().deadline().spend(on.work());
     let inverse = on.inverse(None)?;
     let lack = frame.lack(&Direction { local, carried: [0.0; 2] });
     let task = Task { right: &right, lack, start: start.as_deref(), residual };
@@ -124,7 +125,9 @@ impl<'o, D: Discrete> Newton<'o, D> {
             // With what the load lacks: where the body gives nothing the layer alone leaves nothing.
             let left = trial.merit * scales[2];
             let is_met = left <= enough || left > 0.5 * before && left <= small;
-            let is_over = self.on.base().problem().deadline().is_past();
+            let deadline = self.on.base().problem().deadline();
+            deadline.spend(self.on.work());
+            let is_over = deadline.is_past();
             if !is_blind && (is_met || is_over) {
                 return self.found(trial);
             }

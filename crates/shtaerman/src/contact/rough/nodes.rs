@@ -134,6 +134,9 @@ pub(super) trait Discrete {
         self.shared().0
     }
 
+    /// What a step takes, in cubes of the numbers of unknowns of dense systems.
+    fn work(&self) -> f64;
+
     fn nodes(&self) -> &Arc<Nodes> {
         self.shared().1
     }

@@ -26,6 +26,8 @@ pub(super) const SAMPLES: usize = 2048;
 const MEASURED: f64 = 1e-10;
 /// Waves of slopes that are a smaller share of the largest are not looked for: they change the pressure by about as small a share (theory).
 const UNSEEN: f64 = 1e-8;
+/// Of a slope, in the unit in which searches count theirs (survey).
+const WORK_OF_A_SLOPE: f64 = 200.0;
 
 /// A place with the height there, `(xi, f0)`.
 type Sample = (f64, f64);
@@ -255,6 +257,7 @@ impl Base {
 
     /// The same for Abel's transforms, by polynomials where they are sooner known.
     pub(super) fn quick_slope(&self, xi: f64) -> f64 {
+        self.deadline().spend(WORK_OF_A_SLOPE);
         let slope = |xi: f64| self.slope(xi);
         let of_formula = || {
             let profile = self.setting.problem().profile();

@@ -62,6 +62,7 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
     }
     let solved = equation.on_zones(zones, detail)?;
     equation.shared().1.spend(solved.coupled(), 0.0, MOST_WORK)?;
+    equation.deadline().spend((solved.coupled() as f64).powi(3));
     Ok(solved)
 }
 

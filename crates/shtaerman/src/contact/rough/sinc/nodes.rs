@@ -161,6 +161,10 @@ impl Discrete for SincNodes<'_> {
         (self.base, &self.nodes, self.parameter)
     }
 
+    fn work(&self) -> f64 {
+        (self.nodes.places.len() as f64).powi(3)
+    }
+
     fn masses(&self, solution: &SincSolution) -> Vec<f64> {
         solution.node_masses().to_vec()
     }
