@@ -4,6 +4,20 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+/// What a search does, in cubes of the numbers of unknowns of dense systems (survey: of 99 slow problems found by random input 87 end in less than 4.5 s).
+pub(crate) mod work {
+    /// What a search may do, about four seconds, and as much again for so many measured points.
+    pub(crate) const MOST: f64 = 1.2e11;
+    pub(crate) const POINTS: f64 = 1000.0;
+    /// Of a step on panels for each node, and for each of a product.
+    pub(crate) const NODE: f64 = 2e5;
+    pub(crate) const PRODUCT: f64 = 1.5e4;
+    /// So many times as much where the kernel is a power.
+    pub(crate) const POWERS: f64 = 3.0;
+    /// Of a slope of the profile on a smooth surface.
+    pub(crate) const SLOPE: f64 = 200.0;
+}
+
 /// The end of the time, or of the work, that a solve may take, or the wish of its caller to end it; without a limit of time no clock is read.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Deadline(Option<Arc<End>>);

@@ -46,6 +46,7 @@ mod grading;
 mod influence;
 pub mod inverse;
 mod layering;
+mod line_search;
 pub mod load;
 pub mod material;
 mod order;

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use fredholm::basis::Function;
 
 use crate::bodies::Bodies;
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, work};
 use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::profile::Resolution;
@@ -14,9 +14,6 @@ use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solve
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
-/// What a search may take, in cubes of the numbers of unknowns of dense systems: about four seconds (survey), and as much again for so many measured points.
-const MOST_WORK: f64 = 1.2e11;
-const POINTS_OF_WORK: f64 = 1000.0;
 
 /// A punch on a foundation under a load: physical in SI units, or [dimensionless](Foundation::dimensionless).
 ///
@@ -184,7 +181,7 @@ impl Problem {
     /// What a search may take.
     fn most_work(&self) -> f64 {
         let points = self.profile().measured_points().unwrap_or(0);
-        MOST_WORK * (1.0 + points as f64 / POINTS_OF_WORK)
+        work::MOST * (1.0 + points as f64 / work::POINTS)
     }
 
     /// The same problem with the time that its solver allows running from now on, and with an end of it where `stop` is set.

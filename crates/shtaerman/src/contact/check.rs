@@ -1,8 +1,8 @@
 //! Complementarity between the nodes: where an answer pulls and where the base penetrates.
 
 use super::accuracy::{ROUNDING, SAFETY};
-use super::iteration::{Point, top};
 use crate::Error;
+use crate::line_search::{Point, top};
 
 /// Fewest points of a zone, or of an interval outside the zones.
 pub(super) const POINTS: usize = 48;

@@ -6,9 +6,9 @@
 //! monotone, and not every settlement is met: of the forces that meet it the least is taken.
 
 use crate::contact::Contact;
-use crate::contact::iteration::STEPS;
 use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::valleys::SAMPLES;
+use crate::line_search::STEPS;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base from so many steps down to so many up. At half or twice 1 of 5 answers are lost and time grows by 161 % (survey).

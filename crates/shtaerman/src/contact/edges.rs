@@ -5,10 +5,10 @@
 
 use super::brackets::Brackets;
 use super::intervals::SLIVER;
-use super::iteration::{CUTS, STEPS};
 use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
+use crate::line_search::{CUTS, STEPS};
 
 /// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).
 const SMALL: f64 = 1e-8;

@@ -1,7 +1,7 @@
 //! Where a pressure is largest, and where it is negative.
 
 use super::accuracy::OF_A_VALUE;
-use super::iteration::{crossing, top};
+use crate::line_search::{crossing, top};
 
 /// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line (survey).
 const MOST_REFINED: usize = 32;

@@ -22,7 +22,6 @@ mod ground;
 mod heights;
 mod intensity;
 mod intervals;
-mod iteration;
 mod kinks;
 mod linearised;
 mod method;

@@ -3,9 +3,9 @@
 use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
 
 use super::super::accuracy::STAGNANT;
-use super::super::iteration::STEPS;
 use super::{Cell, Cells};
 use crate::deadline::Deadline;
+use crate::line_search::STEPS;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.

@@ -8,8 +8,8 @@ use load::closing_in;
 pub(super) use load::{Loaded, solve_thin};
 
 use super::ground::Ground;
-use super::iteration::STEPS;
 use super::valleys::{self, CELLS_A_ZONE};
+use crate::line_search::STEPS;
 use crate::{Error, Load};
 
 /// Parts of a cell that is refined (survey).

@@ -5,9 +5,9 @@ use super::nodes::{Field, between_nodes};
 use super::solved::Solved;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::{Check, POINTS, with_tops};
-use crate::contact::iteration::Point;
 use crate::contact::steps::INSIDE;
 use crate::contact::zones::{are_images, outside};
+use crate::line_search::Point;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
 pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> Check {

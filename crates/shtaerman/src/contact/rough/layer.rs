@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use super::base::Base;
-use crate::contact::iteration::STEPS;
 use crate::error::require;
+use crate::line_search::STEPS;
 use crate::{Error, Problem, Rotational, Vertical};
 
 /// Share of the layer under about the mean pressure below which there is next to no pressure (survey).

@@ -9,7 +9,7 @@ use super::nodes::{Discrete, Field, Pressed, Step, Task};
 use super::solved::{Solved, largest};
 use crate::Error;
 use crate::contact::accuracy::{ROUNDING, STAGNANT};
-use crate::contact::iteration::{CUTS, STEPS};
+use crate::line_search::{CUTS, STEPS};
 
 /// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these (survey).
 const INEXACT: [f64; 2] = [1e-4, 0.1];

@@ -5,11 +5,11 @@ use super::nodes::Field;
 use super::solved::{BESIDE, Solved, Stated};
 use crate::Error;
 use crate::contact::accuracy::{Accuracy, ROUNDING, SAFETY, STAGNANT, Sizes};
-use crate::contact::iteration::Point;
 use crate::contact::parts::Smoothness;
 use crate::contact::resolutions::{Change, Trust, UNKNOWN};
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
+use crate::line_search::Point;
 use crate::solver::AIM;
 
 /// The answer from one that is coarse: `next` gives the resolution that follows on another, and none where there are no more.

@@ -9,10 +9,10 @@ use crate::Error;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
-use crate::contact::iteration::Point;
 use crate::contact::search::ALLOWED;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
+use crate::line_search::Point;
 
 /// Share of a zone, or of a panel at its end, over which the slope of the layer at that end is taken (survey).
 pub(super) const BESIDE: f64 = 0.02;

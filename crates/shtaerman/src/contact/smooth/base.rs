@@ -15,7 +15,7 @@ use crate::contact::steps::{INSIDE, REACH, rise};
 use crate::contact::valleys;
 use crate::contact::valleys::{MOST_CELLS, MOST_SAMPLES};
 use crate::contact::zones::{Walls, Zone};
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, work};
 use crate::error::require;
 use crate::{Error, Geometry, Load, Rotational, Vertical};
 
@@ -26,8 +26,6 @@ pub(super) const SAMPLES: usize = 2048;
 const MEASURED: f64 = 1e-10;
 /// Waves of slopes that are a smaller share of the largest are not looked for: they change the pressure by about as small a share (theory).
 const UNSEEN: f64 = 1e-8;
-/// Of a slope, in the unit in which searches count theirs (survey).
-const WORK_OF_A_SLOPE: f64 = 200.0;
 
 /// A place with the height there, `(xi, f0)`.
 type Sample = (f64, f64);
@@ -257,7 +255,7 @@ impl Base {
 
     /// The same for Abel's transforms, by polynomials where they are sooner known.
     pub(super) fn quick_slope(&self, xi: f64) -> f64 {
-        self.deadline().spend(WORK_OF_A_SLOPE);
+        self.deadline().spend(work::SLOPE);
         let slope = |xi: f64| self.slope(xi);
         let of_formula = || {
             let profile = self.setting.problem().profile();

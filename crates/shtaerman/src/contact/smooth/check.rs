@@ -6,8 +6,8 @@ use super::base::Base;
 use super::pressure::{Pressure, place};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
-use crate::contact::iteration::Point;
 use crate::contact::zones::{EndKind, Zone, outside};
+use crate::line_search::Point;
 
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
 const CLOSING: i32 = 12;

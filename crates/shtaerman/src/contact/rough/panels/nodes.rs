@@ -20,13 +20,10 @@ use crate::contact::rough::nodes::{Discrete, Field, Nodes, Pressed, Response, St
 use crate::contact::rough::solved::largest;
 use crate::contact::search::unknown;
 use crate::contact::zones::Zone;
+use crate::deadline::work;
 
 /// Most nodes. Half and twice change none of 32 answers (survey).
 const MOST_NODES: usize = 400_000;
-/// Of a step on panels for each node, and of a product of it, in the unit of dense systems (survey).
-const WORK_OF_A_NODE: f64 = 2e5;
-const WORK_OF_A_PRODUCT: f64 = 1.5e4;
-const OF_POWERS: f64 = 3.0;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones. At half or twice stated errors grow up to 6.4 times (survey).
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
@@ -198,8 +195,8 @@ impl Discrete for PanelNodes<'_> {
 
     /// With fast products it grows with the number of nodes.
     fn work(&self) -> f64 {
-        let of_power = if self.base.ground.exponent() > 0.0 { OF_POWERS } else { 1.0 };
-        WORK_OF_A_NODE * of_power * self.nodes.places.len() as f64
+        let of_power = if self.base.ground.exponent() > 0.0 { work::POWERS } else { 1.0 };
+        work::NODE * of_power * self.nodes.places.len() as f64
     }
 
     fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {
@@ -234,7 +231,7 @@ impl Discrete for PanelNodes<'_> {
         let start = start.unwrap_or(&nothing);
         let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
         let products = (found.products * right.len()) as f64;
-        self.base.problem().deadline().spend(WORK_OF_A_PRODUCT * products);
+        self.base.problem().deadline().spend(work::PRODUCT * products);
         let mut multipliers = found.multipliers.into_iter();
         let frame = &self.nodes.frame;
         let local = [frame.is_by_force(), frame.is_by_moment()]

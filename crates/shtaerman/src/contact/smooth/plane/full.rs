@@ -11,13 +11,13 @@ use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::between_breaks;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::iteration::{crossing, top};
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::{Linearised, smooth_rates};
 use crate::contact::solution::Solution;
 use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::valleys::CELLS;
+use crate::line_search::{crossing, top};
 use crate::{Load, Vertical};
 
 /// Panels of the moment where panels do not resolve the slope. At half or twice 3 of 5 answers change, within what they state (survey).

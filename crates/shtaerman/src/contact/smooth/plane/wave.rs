@@ -18,12 +18,12 @@ use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
 use crate::contact::extremes::NEGLIGIBLE;
 use crate::contact::intervals::longest_gap;
-use crate::contact::iteration::STEPS;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
 use crate::contact::valleys::CELLS;
 use crate::error::require;
+use crate::line_search::STEPS;
 use crate::{Error, Scaling, Vertical};
 
 /// A step at the seam, as a share of the range of the heights, that is rounding.

@@ -3,15 +3,15 @@
 use crate::golden::GOLDEN;
 
 /// Most steps of an iteration that ends by itself. The slowest gain a factor of two each, such as the ends of a row that is nearly closed: 120 halvings are twice the digits of a double (theory).
-pub(super) const STEPS: usize = 120;
+pub(crate) const STEPS: usize = 120;
 /// A step of Newton's method that makes things worse is halved so often: with fewer than a 4096th of it left it leads nowhere.
-pub(super) const CUTS: usize = 12;
+pub(crate) const CUTS: usize = 12;
 
 /// A place and a value there.
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 /// Where a function vanishes between two places at which its signs differ: false position in the Illinois form, every third step by halves. Values up to `none` are zero.
-pub(super) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: f64) -> f64 {
+pub(crate) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: f64) -> f64 {
     let ((mut left, mut at_left), (mut right, mut at_right)) =
         if one.0 <= other.0 { (one, other) } else { (other, one) };
     for (place, value) in [(left, at_left), (right, at_right)] {
@@ -45,7 +45,7 @@ pub(super) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: 
 }
 
 /// The largest value between two places, by golden sections: to where values do not tell places apart, the root of rounding.
-pub(super) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Point {
+pub(crate) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Point {
     let steps = (f64::EPSILON.sqrt().ln() / GOLDEN.ln()).ceil() as usize;
     let mut inner = [right - GOLDEN * (right - left), left + GOLDEN * (right - left)];
     let mut values = inner.map(f);
