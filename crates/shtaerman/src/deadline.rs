@@ -68,6 +68,11 @@ impl Deadline {
         self.is_set() && self.0.as_ref().is_some_and(|end| end.is_past())
     }
 
+    /// Whether no work is left.
+    pub(crate) fn is_spent(&self) -> bool {
+        self.is_set() && self.0.as_ref().is_some_and(|end| end.is_spent())
+    }
+
     /// From here on there is none, in all copies.
     pub(crate) fn lift(&self) {
         if let Some(end) = &self.0 {
@@ -90,9 +95,13 @@ impl End {
         Self { at, work, stop, is_lifted: AtomicBool::new(false) }
     }
 
+    fn is_spent(&self) -> bool {
+        self.work.as_ref().is_some_and(|left| left.load(Ordering::Relaxed) == 0)
+    }
+
     fn is_past(&self) -> bool {
         self.stop.as_ref().is_some_and(|stop| stop.load(Ordering::Relaxed))
-            || self.work.as_ref().is_some_and(|left| left.load(Ordering::Relaxed) == 0)
+            || self.is_spent()
             || self.at.is_some_and(|at| Instant::now() >= at)
     }
 }

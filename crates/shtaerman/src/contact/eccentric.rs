@@ -112,6 +112,9 @@ impl Curve<'_> {
     }
 
     fn of(&self, problem: &Problem, log: f64) -> Option<Point> {
+        if problem.deadline().is_spent() {
+            return None;
+        }
         let force = log.exp();
         let load =
             Load { vertical: Vertical::Force(force), rotational: Rotational::Eccentricity(self.e) };
