@@ -145,6 +145,10 @@ impl Contact {
         contact.warn(Warning::evenness_not_proved(&problem));
         let (peak, tension) = {
             let (places, pressures) = contact.solution().sample();
+            // Of what is no number nothing is sampled.
+            if places.is_empty() {
+                return Err(Error::Overflow { quantity: "pressure", value: f64::INFINITY });
+            }
             let sampled = Sampled::new(|xi| contact.pressure_at(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
