@@ -251,8 +251,8 @@ impl Contact {
         }
         match posed {
             _ if mean_square < IN_THE_MEAN => Err(Unaudited::InTheMeanOnly { mean_square }),
-            Posed::Plane(_, _, 1.0) | Posed::Layered(..) => Ok((bound, posed.is_bound())),
-            Posed::Plane(..) | Posed::Disk(..) => Err(Unaudited::TOO_SHARP),
+            Posed::Disk(_, 1.0) => Err(Unaudited::TOO_SHARP),
+            _ => Ok((bound, posed.is_bound())),
         }
     }
 
