@@ -246,12 +246,14 @@ impl Entries<'_> {
             vectorised(
                 #[inline(always)]
                 || {
-                    let pairs = same.iter().zip(images.iter().rev());
-                    even.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s + m);
+                    for k in 0..=a {
+                        even[k] = same[k] + images[a - k];
+                    }
                     scale(even, &roots, roots[a]);
                     let Some(odd) = odd else { return };
-                    let pairs = same.iter().zip(images.iter().rev()).skip(skipped);
-                    odd.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s - m);
+                    for k in skipped..=a {
+                        odd[k - skipped] = same[k] - images[a - k];
+                    }
                     scale(odd, &roots[skipped..], roots[a]);
                 },
             );

@@ -206,12 +206,14 @@ impl Mesh {
                     between(left, right, from_left, from_right, distances);
                 } else if own > other {
                     let beyond = (ends(own).0 - ends(other).1, left);
-                    let sums = distances.iter_mut().zip(from_right);
-                    sums.for_each(|(distance, s)| *distance = s + beyond.0 + beyond.1);
+                    for (distance, s) in distances.iter_mut().zip(from_right) {
+                        *distance = s + beyond.0 + beyond.1;
+                    }
                 } else {
                     let beyond = (ends(other).0 - ends(own).1, right);
-                    let sums = distances.iter_mut().zip(from_left);
-                    sums.for_each(|(distance, s)| *distance = s + beyond.0 + beyond.1);
+                    for (distance, s) in distances.iter_mut().zip(from_left) {
+                        *distance = s + beyond.0 + beyond.1;
+                    }
                 }
             },
         );

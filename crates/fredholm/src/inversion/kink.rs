@@ -12,6 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::place::Place;
 use super::powers::{GROWTH, NEAREST, PLAIN, Powers, TURN};
+use super::rule::ORDER;
 use super::ultraspherical::inside;
 
 /// Panels towards the kink itself, each this share of the one before: what is left falls as its square. At half or twice 1 of 8 differ beyond what is stated (survey).
@@ -105,11 +106,16 @@ impl Kink {
         if scale == 0.0 {
             return self.size * at_kink(powers, m, m * mirrored, end);
         }
-        let f = |v: f64| {
-            let (square, sum) = (v * v, v * v + scale * scale);
-            let x = square + m * m;
-            let power = powers.power((square * sum / x).sqrt());
-            (square + m * mirrored) / (x * sum.sqrt()) * power
+        // `x^2 - k^2` and `x^2 - s^2` are `v^2` and `v^2 + scale^2`, whichever is less.
+        let half_exponent = 0.5 * powers.exponent();
+        let f = |places: &[f64; ORDER]| {
+            let mut values = places.map(|v| v * v * (v * v + scale * scale) / (v * v + m * m));
+            crate::special::powers(&mut values, half_exponent);
+            for (value, v) in values.iter_mut().zip(places) {
+                let (square, root) = (v * v, (v * v + scale * scale).sqrt());
+                *value *= (square + m * mirrored) / ((square + m * m) * root);
+            }
+            values
         };
         self.size * outwards(powers, [scale, end], f)
     }
@@ -157,13 +163,17 @@ impl Kink {
 }
 
 /// `int_0^end f` for a power at zero and other singular places at `scale` and beyond, as far from the axis.
-fn outwards(powers: &Powers, [scale, end]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+fn outwards(
+    powers: &Powers,
+    [scale, end]: [f64; 2],
+    f: impl Fn(&[f64; ORDER]) -> [f64; ORDER],
+) -> f64 {
     let mut at = end.min(NEAREST * scale);
-    let mut sum = powers.integral(0, [0.0, at], &f);
+    let mut sum = powers.integral_at_nodes(0, [0.0, at], &f);
     while at < end {
         let next =
             if end <= (1.0 + GROWTH) * at * (1.0 + SHARE) { end } else { (1.0 + GROWTH) * at };
-        sum += powers.integral(PLAIN, [at, next], &f);
+        sum += powers.integral_at_nodes(PLAIN, [at, next], &f);
         at = next;
     }
     sum

@@ -13,7 +13,7 @@ use std::sync::{Arc, OnceLock};
 use libm::tgamma;
 
 use super::accuracy::STEPS;
-use super::rule::{ORDER, RULE, integral};
+use super::rule::{ORDER, RULE, integral, integral_at_nodes};
 use crate::Error;
 
 /// A start below this share of the end is none. Half and twice change none of 19 answers (survey).
@@ -59,6 +59,16 @@ impl PowerRule {
     /// `int_0^end f`.
     pub(crate) fn integral(&self, end: f64, f: impl Fn(f64) -> f64) -> f64 {
         end * self.nodes.iter().map(|(u, weight)| weight * f(end * u)).sum::<f64>()
+    }
+
+    /// The same for a function of all nodes at once.
+    fn integral_at_nodes(&self, end: f64, f: impl Fn(&[f64; ORDER]) -> [f64; ORDER]) -> f64 {
+        let mut places = [f64::NAN; ORDER];
+        for (place, (u, _)) in places.iter_mut().zip(&self.nodes) {
+            *place = end * u;
+        }
+        let values = f(&places);
+        end * self.nodes.iter().zip(values).map(|((_, weight), value)| weight * value).sum::<f64>()
     }
 }
 
@@ -159,6 +169,19 @@ impl Powers {
         match self.rule(shift) {
             Some(rule) if from == 0.0 => rule.integral(to, f),
             _ => integral(from, to, f),
+        }
+    }
+
+    /// The same for a function of all nodes at once.
+    pub(crate) fn integral_at_nodes(
+        &self,
+        shift: i32,
+        [from, to]: [f64; 2],
+        f: impl Fn(&[f64; ORDER]) -> [f64; ORDER],
+    ) -> f64 {
+        match self.rule(shift) {
+            Some(rule) if from == 0.0 => rule.integral_at_nodes(to, f),
+            _ => integral_at_nodes(from, to, f),
         }
     }
 

@@ -27,8 +27,16 @@ pub(crate) fn subtract_column(target: &mut [f64], column: &[f64], factor: f64) {
 
 /// The scalar products of the rows of a square matrix with `x`.
 pub(crate) fn multiply_rows(matrix: &[f64], x: &[f64]) -> Vec<f64> {
+    let rows = matrix.chunks_exact(x.len().max(1));
+    let mut products = vec![0.0; rows.len()];
     vectorised(
         #[inline(always)]
-        || matrix.chunks_exact(x.len().max(1)).map(|row| dot(row, x)).collect(),
-    )
+        || {
+            // Another function, as of an iterator, may be built for narrow vectors alone.
+            for (product, row) in products.iter_mut().zip(rows) {
+                *product = dot(row, x);
+            }
+        },
+    );
+    products
 }

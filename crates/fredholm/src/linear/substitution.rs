@@ -53,7 +53,9 @@ fn backwards<'f>(column: &impl Fn(usize) -> &'f [f64], order: usize, right: &mut
     for j in (0..blocks).step_by(COLUMNS).rev() {
         let columns = [0, 1, 2, 3].map(|k| column(j + k));
         let (heads, tail) = right[j..order].split_at_mut(COLUMNS);
-        let sums = below(columns).map(|column| dot(column, tail));
+        let [c0, c1, c2, c3] = below(columns);
+        // Another function, as of an array, may be built for narrow vectors alone.
+        let sums = [dot(c0, tail), dot(c1, tail), dot(c2, tail), dot(c3, tail)];
         for k in (0..COLUMNS).rev() {
             let known: f64 =
                 (k + 1..COLUMNS).map(|other| columns[k][other - k] * heads[other]).sum();

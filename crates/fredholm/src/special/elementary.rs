@@ -34,7 +34,12 @@ pub(crate) fn logarithms(numbers: &mut [f64]) {
     }
     vectorised(
         #[inline(always)]
-        || numbers.iter_mut().for_each(|x| *x = logarithm(*x)),
+        || {
+            // Another function, as of an iterator, may be built for narrow vectors alone.
+            for x in numbers.iter_mut() {
+                *x = logarithm(*x);
+            }
+        },
     );
 }
 
@@ -69,7 +74,11 @@ pub(crate) fn powers(numbers: &mut [f64], exponent: f64) {
     let power = Power::new(exponent);
     vectorised(
         #[inline(always)]
-        || numbers.iter_mut().for_each(|x| *x = power.of(*x)),
+        || {
+            for x in numbers.iter_mut() {
+                *x = power.of(*x);
+            }
+        },
     );
 }
 
