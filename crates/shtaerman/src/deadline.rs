@@ -12,10 +12,13 @@ pub(crate) mod work {
     /// Of a step on panels for each node, and for each of a product.
     pub(crate) const NODE: f64 = 2e5;
     pub(crate) const PRODUCT: f64 = 1.5e4;
+    /// So many pairs of nodes that are near to each other take as long as a node (survey: 40 to 300 a node, up to 5800 where they crowd).
+    pub(crate) const PAIRS: f64 = 200.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 3.0;
-    /// Of a slope of the profile on a smooth surface.
-    pub(crate) const SLOPE: f64 = 200.0;
+    /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
+    pub(crate) const SLOPE: f64 = 2000.0;
+    pub(crate) const DERIVATIVE: f64 = 8000.0;
 }
 
 /// The end of the time, or of the work, that a solve may take, or the wish of its caller to end it; without a limit of time no clock is read.

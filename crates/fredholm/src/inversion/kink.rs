@@ -234,6 +234,7 @@ mod tests {
             breaks: vec![at.abs()],
             tolerance: 0.0,
             noise: 0.0,
+            remote: 0.0,
             powers: Powers::new(mu).unwrap(),
             part,
             is_over: &|| false,

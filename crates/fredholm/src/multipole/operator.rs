@@ -123,6 +123,12 @@ impl PanelOperator {
         &self.panels
     }
 
+    /// The number of pairs of nodes that are so near that the kernel is integrated for them by themselves: as long as a product takes, and the more so to find the operator.
+    #[must_use]
+    pub fn near_pairs(&self) -> usize {
+        self.near.len()
+    }
+
     /// The potential at the nodes of a function with these values there. Missing values are zero, others ignored.
     #[must_use]
     pub fn potential(&self, values: &[f64]) -> Vec<f64> {

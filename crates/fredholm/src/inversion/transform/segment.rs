@@ -29,15 +29,20 @@ const MISSED: f64 = 32.0;
 struct Sampled {
     ends: [f64; 2],
     values: [f64; ORDER],
+    /// What rounded places make of the values.
+    blur: f64,
     depth: u32,
     /// The last coefficients, and those of the panel twice as long with its largest coefficient.
     tail: f64,
     before: [f64; 2],
 }
 
-fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
+/// The coefficients, and what rounded places make of the values.
+fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> ([f64; ORDER], f64) {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+    let known = RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u));
+    let blur = known.iter().fold(0.0f64, |most, [_, blur]| most.max(*blur));
+    (RULE.coefficients(&known.map(|[value, _]| value)), blur)
 }
 
 /// The part of the disk between two kinks.
@@ -61,16 +66,21 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
     let first = panels.first()?.ends[1];
     let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
     let longest = first * (LONGEST_START * length / first).log2().floor().exp2();
-    let level = shape.transform_beyond(ends[0], 0.0);
-    let noise = shape.noise + shape.inexactness() * level.abs();
-    let mut known: Vec<f64> = (0..FARTHER)
-        .map(|i| shape.transform_beyond(ends[0], longest * f64::from(1 << (FARTHER - i))))
-        .collect();
+    let [level, mut blur] = shape.transform_beyond(ends[0], 0.0);
+    let exactness = shape.noise + shape.inexactness() * level.abs();
+    let mut at = |s: f64| {
+        let [value, own] = shape.transform_beyond(ends[0], s);
+        blur = blur.max(own);
+        (value, exactness + blur)
+    };
+    let mut known: Vec<f64> =
+        (0..FARTHER).map(|i| at(longest * f64::from(1 << (FARTHER - i))).0).collect();
     let mut best: Option<Start> = None;
     let mut before = 0.0;
     for i in 0..DEEPEST {
         let to = longest * 0.5f64.powi(i as i32);
-        known.push(shape.transform_beyond(ends[0], to));
+        let (value, noise) = at(to);
+        known.push(value);
         let is_end = to < first || panels.iter().any(|panel| panel.ends[1] == to);
         if !is_end {
             continue;
@@ -103,15 +113,17 @@ pub(super) fn leg(x: f64, y: f64) -> f64 {
 impl Segment {
     pub(super) fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
         let sampled = |own: [f64; 2], depth: u32, before: [f64; 2]| {
-            let values = sample(shape, ends[0], own);
-            Sampled { ends: own, values, depth, tail: largest(&values[ORDER - 2..]), before }
+            let (values, blur) = sample(shape, ends[0], own);
+            let tail = largest(&values[ORDER - 2..]);
+            Sampled { ends: own, values, blur, depth, tail, before }
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, [f64::INFINITY, 1.0]);
         let size = size.max(largest(&first.values));
         let rounded = shape.noise * if shape.part == Symmetry::Odd { 1.0 } else { ends[1] };
-        let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
-        let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
+            let rounded = rounded + panel.blur;
+            let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
+            let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
             let [before, whole] = panel.before;
             // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance: there all is held against its own size, and rounding is what a panel drops.
             let is_beside_axis = ends[0] == 0.0 && panel.ends[0] == 0.0;
@@ -152,7 +164,7 @@ impl Segment {
 
     /// The same with panels from the end of a start on, each four times as long as the one before.
     fn beyond_start(mut self, shape: &Shape<'_>, start: Start) -> Self {
-        let panel = |own: [f64; 2]| Panel::new(own, sample(shape, self.ends[0], own));
+        let panel = |own: [f64; 2]| Panel::new(own, sample(shape, self.ends[0], own).0);
         let mut to = self.panels[0].ends[1];
         let mut added = Vec::new();
         while to > start.to {
@@ -175,7 +187,7 @@ impl Segment {
             let Some([from, to]) = best.panels.first().map(|panel| panel.ends) else { break };
             let middle = 0.5 * (from + to);
             let halves = [[from, middle], [middle, to]];
-            let halves = halves.map(|own| Panel::new(own, sample(shape, ends[0], own)));
+            let halves = halves.map(|own| Panel::new(own, sample(shape, ends[0], own).0));
             let panels = halves.iter().chain(&best.panels[1..]).cloned().collect();
             let next = Self::at_rest(ends, panels, &shape.powers);
             let left = next.missed(&shape.powers);

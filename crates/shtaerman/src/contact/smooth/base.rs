@@ -250,6 +250,7 @@ impl Base {
 
     /// `df0/dxi`, NaN where there is none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
+        self.deadline().spend(work::DERIVATIVE);
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
     }
 

@@ -175,6 +175,11 @@ impl<'b> PanelNodes<'b> {
         }
     }
 
+    /// The number of nodes by what a product takes.
+    fn size(&self) -> f64 {
+        (self.nodes.places.len() as f64).max(self.operator.near_pairs() as f64 / work::PAIRS)
+    }
+
     fn integral(&self, one: &[f64], other: &[f64]) -> f64 {
         let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
         self.operator.panels().integral(&products, |_| 1.0)
@@ -193,10 +198,10 @@ impl Discrete for PanelNodes<'_> {
         (self.base, &self.nodes, self.parameter)
     }
 
-    /// With fast products it grows with the number of nodes.
+    /// With fast products it grows with the number of nodes, and where these crowd with that of their pairs.
     fn work(&self) -> f64 {
         let of_power = if self.base.ground.exponent() > 0.0 { work::POWERS } else { 1.0 };
-        work::NODE * of_power * self.nodes.places.len() as f64
+        work::NODE * of_power * self.size()
     }
 
     fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {
@@ -230,7 +235,7 @@ impl Discrete for PanelNodes<'_> {
         let conditions = self.conditions(lack);
         let start = start.unwrap_or(&nothing);
         let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
-        let products = (found.products * right.len()) as f64;
+        let products = found.products as f64 * self.size();
         self.base.problem().deadline().spend(work::PRODUCT * products);
         let mut multipliers = found.multipliers.into_iter();
         let frame = &self.nodes.frame;

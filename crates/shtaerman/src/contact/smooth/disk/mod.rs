@@ -147,6 +147,7 @@ impl Disk {
             joints: base.joints.clone(),
             tolerance: base.tolerance,
             noise: 0.0,
+            remote: 0.0,
             powers: self.powers.clone(),
             part: Symmetry::Revolution,
             is_over: &|| base.deadline().is_past(),

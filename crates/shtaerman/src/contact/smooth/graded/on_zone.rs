@@ -52,6 +52,8 @@ struct Halves {
     tolerance: f64,
     /// Rounding of the slopes.
     noise: f64,
+    /// How far the middle is from where places are counted from.
+    remote: f64,
     is_over: Box<dyn Fn() -> bool + Send + Sync>,
 }
 
@@ -64,14 +66,13 @@ impl std::fmt::Debug for Halves {
 impl Halves {
     fn shape(&self, powers: &Powers, part: Symmetry) -> Shape<'_> {
         let index = usize::from(part == Symmetry::Odd);
-        let (slope, noise) = (&*self.slopes[index], self.noise);
-        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
         Shape {
-            slope,
-            breaks,
+            slope: &*self.slopes[index],
+            breaks: self.breaks.clone(),
             joints: self.joints.clone(),
-            tolerance,
-            noise,
+            tolerance: self.tolerance,
+            noise: self.noise,
+            remote: self.remote,
             powers: powers.clone(),
             part,
             is_over: &*self.is_over,
@@ -326,7 +327,8 @@ fn halves(
     let joints = if is_told { breaks.clone() } else { Vec::new() };
     let deadline = base.deadline().clone();
     let is_over = Box::new(move || deadline.is_past());
-    Halves { slopes: [even, odd], breaks, joints, tolerance, noise, is_over }
+    let (slopes, remote) = ([even, odd], centre.abs());
+    Halves { slopes, breaks, joints, tolerance, noise, remote, is_over }
 }
 
 /// Breaks in order, without those that the middle is known not to be.
