@@ -7,6 +7,8 @@ use crate::error::require;
 
 /// Relative error that is aimed at where no tolerance is given.
 pub const AIM: f64 = 1e-12;
+/// Where `theta0` is so many times the last degree of a series, none leaves less than 1e-2 of the pressure (survey: 3e-2 at 61 times, 2e-3 at 15 times).
+pub(crate) const UNRESOLVED: f64 = 32.0;
 
 /// Memory that a degree of the degenerate kernel takes at the peak of a solve with its answer, in bytes: measured 740 to 1490 for one to five million
 /// degrees (`/usr/bin/time -v shtaerman solve examples/crowned_punch.toml --set solver.contact=bilateral --set solver.method=spectral --set solver.n=N`).

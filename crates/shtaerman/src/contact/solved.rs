@@ -390,6 +390,7 @@ impl Contact {
             ("pressure at the left edge", self.pressure_left()),
             ("pressure in the middle", self.pressure_middle()),
             ("pressure at the right edge", self.pressure_right()),
+            ("corner intensity", self.singular_corners().iter().map(|(_, k)| k.abs()).sum()),
         ] {
             // At a corner of a smooth body the pressure is infinite, and a wave in full contact does not yield.
             let may_be_infinite = self.problem().bodies().law() == Law::Smooth

@@ -15,7 +15,7 @@ use super::resolutions::UNKNOWN;
 use super::setting::Setting;
 use super::solution::Solution;
 use super::stiffness::Stiffness;
-use crate::solver::AIM;
+use crate::solver::{AIM, UNRESOLVED};
 use crate::{Error, Load, Rotational, Vertical};
 
 /// First degree where none is given, and fewest samples of a pressure. From here on a series is tabulated: the table costs as much as some 50 sums, and an audit asks for thousands. Half and twice change none of 9 answers (survey).
@@ -81,17 +81,17 @@ impl SpectralContact {
         Ok(contact)
     }
 
-    /// Doubles the degree until the tolerance is met, or the last degree is reached.
+    /// Doubles the degree until the tolerance is met, or the last degree is reached; once, where none leaves less than 1e-2 of the pressure.
     pub(super) fn adaptive(setting: &Setting, profile: &Function) -> Result<Self, Error> {
-        let tolerance = setting.problem().solver().tolerance;
+        let (theta0, tolerance) = (setting.theta0(), setting.problem().solver().tolerance);
         let last = if tolerance.is_some() { LAST_DEGREE } else { USUAL_DEGREE };
         let tolerance = tolerance.unwrap_or(AIM);
-        let theta0 = setting.theta0();
-        let first = (4.0 * theta0).min(last as f64) as usize;
+        let is_felt = theta0 < UNRESOLVED * last as f64;
+        let first = if is_felt { (4.0 * theta0).min(last as f64) as usize } else { 0 };
         let mut degree = first.max(FIRST_DEGREE).next_power_of_two();
         loop {
             let mut contact = Self::with_bounds(setting, profile, degree)?;
-            let is_over = 2 * degree > last || setting.problem().deadline().is_past();
+            let is_over = !is_felt || 2 * degree > last || setting.problem().deadline().is_past();
             if contact.relative_to_samples() <= tolerance || is_over {
                 // Below n = 2 theta0 the exact application of the kernel amplifies the error.
                 if degree as f64 >= 2.0 * theta0 {

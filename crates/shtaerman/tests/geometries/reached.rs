@@ -230,3 +230,31 @@ fn a_pressure_beyond_all_numbers_is_refused() {
     let error = file::parse(text, "made.toml").unwrap().solve().unwrap_err();
     assert!(matches!(error, Error::Overflow { quantity: "pressure", .. }), "{error}");
 }
+
+/// A load near the end of the range: intensities beyond it are no numbers of an answer. Found by random input.
+#[test]
+fn a_corner_intensity_beyond_all_numbers_is_refused() {
+    let text = |moment: f64| {
+        format!(
+            "[foundation]\nyoung_modulus = 1e7\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"circular\"\nradius = 1e-5\nprofile = \"1e-6*rho^2\"\n[load]\nforce = 1e-4\nmoment = {moment:e}\n[solver]\ncontact = \"bilateral\"\n"
+        )
+    };
+    let error = file::parse(&text(1e300), "made.toml").unwrap().solve().unwrap_err();
+    assert!(matches!(error, Error::Overflow { quantity: "corner intensity", .. }), "{error}");
+    assert!(of_file(&text(1e280)).corner_intensity().unwrap()[0][1].is_finite());
+}
+
+/// A contact that ends hardly beyond a bend, where slopes have few digits: it took millions of slopes, and half a minute. It is a flat disk.
+#[test]
+fn a_bend_a_little_away_ends() {
+    let of = |radius: f64, profile: &str| {
+        let text = format!(
+            "[foundation]\npoisson_ratio = 0\ngrading_exponent = 0.2\ngrading_modulus = 1e9\nroughness = 0\n[punch]\ngeometry = \"circular\"\nradius = {radius}\nprofile = \"{profile}\"\n[load]\nforce = 1e-10\nmoment = 0\n"
+        );
+        of_file(&text)
+    };
+    let (bent, flat) = (of(1.0, "1e-6*max(0, rho - 0.85)^2"), of(0.85, "0"));
+    let radius = bent.zones()[0][1];
+    assert!(0.85 < radius && radius < 0.85 + 1e-6, "{radius}");
+    assert_near(bent.settlement(), flat.settlement(), 1e-6 * flat.settlement());
+}

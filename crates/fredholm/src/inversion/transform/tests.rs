@@ -1,6 +1,7 @@
 //! Abel's transforms of polynomials, of powers beside the axis, and of parts.
 
 use super::super::rule::{integral, series};
+use super::segment::leg;
 use super::steps::{STEP, stepwise, stepwise_at_nodes};
 use super::*;
 
@@ -43,6 +44,38 @@ fn powers_beside_the_axis_are_integrated() {
             let rounding = 1e-14 + 2e-16 * end;
             assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
         }
+    }
+}
+
+#[test]
+fn slopes_of_few_digits_are_not_halved_for() {
+    // (r - b)^2 up to a distance d from b that is short: G = x int h/sqrt(x^2 - r^2) dr is (8/3) sqrt(b/2) d^(3/2).
+    let bend = 0.851;
+    for far in [1e-10, 1e-13] {
+        let asked = std::cell::Cell::new(0u32);
+        let slope = |r: f64| {
+            asked.set(asked.get() + 1);
+            2.0 * (r - bend).max(0.0)
+        };
+        let shape = Shape {
+            slope: &slope,
+            breaks: vec![bend],
+            joints: Vec::new(),
+            tolerance: 0.0,
+            noise: 0.0,
+            remote: 0.0,
+            powers: Powers::new(0.0).unwrap(),
+            part: Symmetry::Revolution,
+            is_over: &|| false,
+        };
+        let radius = bend + far;
+        AbelTransform::new(&shape, radius);
+        assert!(asked.get() < 40_000, "{far}: {}", asked.get());
+        let [value, blur] = shape.transform_beyond(bend, leg(radius, bend));
+        let known = radius - bend;
+        let exact = 8.0 / 3.0 * (0.5 * bend).sqrt() * known * known.sqrt();
+        assert!((value - exact).abs() < 2.0 * blur + 1e-9 * exact, "{far}: {value} {exact} {blur}");
+        assert!(blur > f64::EPSILON * bend * value / far, "{far}: {blur}");
     }
 }
 

@@ -235,8 +235,7 @@ impl Discrete for PanelNodes<'_> {
         let conditions = self.conditions(lack);
         let start = start.unwrap_or(&nothing);
         let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
-        let products = found.products as f64 * self.size();
-        self.base.problem().deadline().spend(work::PRODUCT * products);
+        self.base.problem().deadline().spend(work::PRODUCT * self.size() * found.products as f64);
         let mut multipliers = found.multipliers.into_iter();
         let frame = &self.nodes.frame;
         let local = [frame.is_by_force(), frame.is_by_moment()]
