@@ -40,8 +40,8 @@ impl Effort {
         self.nodes as f64 / (2.0 * panels.max(1) as f64)
     }
 
-    /// About ten seconds, and less than a gigabyte.
-    pub(in crate::contact::rough) const MOST: Self = Self { nodes: 2200, work: 1e11 };
+    /// About ten seconds.
+    pub(in crate::contact::rough) const MOST: Self = Self { nodes: 2400, work: 1e11 };
     /// About half a second, as long as an answer on panels with fast products takes.
     pub(in crate::contact::rough) const LITTLE: Self = Self { nodes: 900, work: 3e9 };
 }
