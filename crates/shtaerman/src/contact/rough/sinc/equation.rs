@@ -173,8 +173,9 @@ impl Equation for Collocation<'_> {
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
         // Fewer than those that the answer begins with, which is compared with what was found, and so few that there is room for both and one more.
         let panels: usize = zones.iter().map(|zone| zone.panels(&self.base.breaks).len()).sum();
-        let wanted = self.strength(zones).min(self.effort.room(panels) / RATIO) / RATIO;
-        match before.filter(|known| known.strength >= wanted) {
+        let room = self.effort.room(panels);
+        let wanted = self.strength(zones).min(room / RATIO) / RATIO;
+        match before.filter(|known| (wanted..=wanted.max(room)).contains(&known.strength)) {
             Some(known) => Ok(known),
             None => Resolution::new(&self.base.ground, wanted),
         }
