@@ -106,7 +106,7 @@ impl Kink {
         if scale == 0.0 {
             return self.size * at_kink(powers, m, m * mirrored, end);
         }
-        // `x^2 - k^2` and `x^2 - s^2` are `v^2` and `v^2 + scale^2`, whichever is less.
+        // `v^2` is `x^2` less the larger of `k^2` and `s^2`, `v^2 + scale^2` that less the smaller.
         let half_exponent = 0.5 * powers.exponent();
         let f = |places: &[f64; ORDER]| {
             let mut values = places.map(|v| v * v * (v * v + scale * scale) / (v * v + m * m));

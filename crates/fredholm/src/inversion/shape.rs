@@ -214,7 +214,7 @@ impl Shape<'_> {
     }
 }
 
-/// What rounded places make of an integral of slopes, from those at its nodes one after the other.
+/// What rounded places make of an integral of slopes, `int eps (remote + r) |h'(r)| dt`, from the slopes at its nodes one after the other.
 struct Felt {
     remote: f64,
     /// Slope, distance and variable of integration.

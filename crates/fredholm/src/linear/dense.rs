@@ -32,7 +32,6 @@ pub(crate) fn multiply_rows(matrix: &[f64], x: &[f64]) -> Vec<f64> {
     vectorised(
         #[inline(always)]
         || {
-            // Another function, as of an iterator, may be built for narrow vectors alone.
             for (product, row) in products.iter_mut().zip(rows) {
                 *product = dot(row, x);
             }

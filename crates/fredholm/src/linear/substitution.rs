@@ -54,7 +54,6 @@ fn backwards<'f>(column: &impl Fn(usize) -> &'f [f64], order: usize, right: &mut
         let columns = [0, 1, 2, 3].map(|k| column(j + k));
         let (heads, tail) = right[j..order].split_at_mut(COLUMNS);
         let [c0, c1, c2, c3] = below(columns);
-        // Another function, as of an array, may be built for narrow vectors alone.
         let sums = [dot(c0, tail), dot(c1, tail), dot(c2, tail), dot(c3, tail)];
         for k in (0..COLUMNS).rev() {
             let known: f64 =

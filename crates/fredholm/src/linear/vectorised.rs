@@ -1,6 +1,6 @@
 //! Code for the widest vectors of the processor that it runs on.
 
-/// Runs `work` as compiled for the widest vectors that the processor at hand has. Only what is inlined into it is compiled so: loops over fixed numbers of lanes.
+/// Runs `work` as compiled for the widest vectors that the processor at hand has. Only what is inlined into it is compiled so: loops, and not what an iterator's or an array's `map` or `for_each` is given, which may be built as a function of its own for narrow vectors.
 ///
 /// Multiplications and additions are rounded one by one on every width, so that results have the same bits.
 #[inline(always)]

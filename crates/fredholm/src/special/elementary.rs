@@ -35,7 +35,6 @@ pub(crate) fn logarithms(numbers: &mut [f64]) {
     vectorised(
         #[inline(always)]
         || {
-            // Another function, as of an iterator, may be built for narrow vectors alone.
             for x in numbers.iter_mut() {
                 *x = logarithm(*x);
             }

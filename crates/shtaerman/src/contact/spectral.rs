@@ -86,12 +86,12 @@ impl SpectralContact {
         let (theta0, tolerance) = (setting.theta0(), setting.problem().solver().tolerance);
         let last = if tolerance.is_some() { LAST_DEGREE } else { USUAL_DEGREE };
         let tolerance = tolerance.unwrap_or(AIM);
-        let is_felt = theta0 < UNRESOLVED * last as f64;
-        let first = if is_felt { (4.0 * theta0).min(last as f64) as usize } else { 0 };
+        let resolves = theta0 < UNRESOLVED * last as f64;
+        let first = if resolves { (4.0 * theta0).min(last as f64) as usize } else { 0 };
         let mut degree = first.max(FIRST_DEGREE).next_power_of_two();
         loop {
             let mut contact = Self::with_bounds(setting, profile, degree)?;
-            let is_over = !is_felt || 2 * degree > last || setting.problem().deadline().is_past();
+            let is_over = !resolves || 2 * degree > last || setting.problem().deadline().is_past();
             if contact.relative_to_samples() <= tolerance || is_over {
                 // Below n = 2 theta0 the exact application of the kernel amplifies the error.
                 if degree as f64 >= 2.0 * theta0 {

@@ -175,7 +175,7 @@ impl Equation for Collocation<'_> {
         let panels: usize = zones.iter().map(|zone| zone.panels(&self.base.breaks).len()).sum();
         let room = self.effort.room(panels);
         let wanted = self.strength(zones).min(room / RATIO) / RATIO;
-        match before.filter(|known| (wanted..=wanted.max(room)).contains(&known.strength)) {
+        match before.filter(|known| (wanted..=room).contains(&known.strength)) {
             Some(known) => Ok(known),
             None => Resolution::new(&self.base.ground, wanted),
         }
