@@ -118,6 +118,10 @@ impl Block {
     /// entries changes `K phi` by. The distance `d_ij` of two nodes of a panel is a difference of their distances from its end, of which `r_ij` is the smaller one, and `d K'(d)` is
     /// about as large as `K(d)`. The entries are taken with what stands in them beside the kernel, which may be much larger and cancel in the sum.
     pub(super) fn rounded_potential(&self, z: &[f64], mesh: &Mesh) -> f64 {
+        // One of the two parts of an even or odd density.
+        if z.iter().all(|z| *z == 0.0) {
+            return 0.0;
+        }
         let mut relative = vec![0.0; self.order()];
         let mut largest = 0.0f64;
         for (i, row) in self.matrix.chunks_exact(self.order()).enumerate() {
@@ -178,7 +182,7 @@ fn with_factor(order: usize) -> f64 {
 
 fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {
     // One sum tells; the culprit is looked for only when there is one.
-    if block.matrix.iter().sum::<f64>().is_finite() {
+    if sum(&block.matrix).is_finite() {
         return Ok(());
     }
     let culprit = block.matrix.iter().position(|entry| !entry.is_finite());

@@ -87,20 +87,22 @@ impl Check<'_> {
         local.is_multiple_of(2).then_some(first + local / 2)
     }
 
-    /// `K phi` of a solution at a finer node.
-    fn potential(&self, solution: &SincSolution, index: usize) -> f64 {
-        if let Some(node) = self.node(index) {
-            return solution.potential()[node];
-        }
-        let local = (index % self.finer.panel_count()) as f64;
-        let tau = 0.5 * local - self.operator.mesh().grid().half_count() as f64;
-        solution.potential_between(self.finer.place(index), tau)
+    /// `K phi` of a solution at the finer nodes.
+    fn potential(&self, solution: &SincSolution) -> Vec<f64> {
+        let between = |index: &usize| self.node(*index).is_none();
+        let places = (0..self.finer.count()).filter(between).map(|index| self.finer.place(index));
+        let mut halfway = solution.potential_halfway(places).into_iter();
+        let at = |index| match self.node(index) {
+            Some(node) => solution.potential()[node],
+            None => halfway.next().unwrap_or(f64::NAN),
+        };
+        (0..self.finer.count()).map(at).collect()
     }
 
     fn finer(&self, solution: &SincSolution, f: &dyn Fn(f64) -> f64) -> Result<Finer, Error> {
         let masses = masses(self.kernel, &self.finer)?;
         let count = self.finer.count();
-        let potential: Vec<f64> = (0..count).map(|i| self.potential(solution, i)).collect();
+        let potential = self.potential(solution);
         let value = |index: usize| {
             if let Some(node) = self.node(index) {
                 return Ok(solution.values()[node]);
@@ -181,10 +183,12 @@ fn between(points: &[(usize, f64)], index: usize) -> f64 {
     let term = |k: usize| {
         let (at, value) = nearest[k];
         let others = nearest.iter().enumerate().filter(|(j, _)| *j != k);
-        let factor = |(_, (other, _)): (usize, &(usize, f64))| {
-            (index as f64 - *other as f64) / (at as f64 - *other as f64)
-        };
-        value * others.map(factor).product::<f64>()
+        let mut ratio = [1.0; 2];
+        for (_, (other, _)) in others {
+            ratio[0] *= index as f64 - *other as f64;
+            ratio[1] *= at as f64 - *other as f64;
+        }
+        value * (ratio[0] / ratio[1])
     };
     (0..nearest.len()).map(term).sum()
 }

@@ -75,9 +75,8 @@ impl<'k> Entries<'k> {
                 self.weights.apart_in_row(entries, factors, distances, differences);
             }
             for (entry, mass) in entries.iter_mut().zip(&self.masses[segment]) {
-                if *mass == 0.0 {
-                    *entry = 0.0;
-                }
+                // Chosen, not skipped: a store that may not take place keeps loops from vector units.
+                *entry = if *mass == 0.0 { 0.0 } else { *entry };
             }
         }
     }

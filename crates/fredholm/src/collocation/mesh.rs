@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::SincGrid;
+use super::grid::AT_ONCE;
 use crate::linear::vectorised;
 use crate::{Error, Interval};
 
@@ -267,6 +268,18 @@ impl Mesh {
         let (left, right) = (self.boundaries[self.left_ends[panel]], right_end(panel));
         let position = if x.is_nan() { x } else { x.clamp(left, right) };
         Place { position, from_left: position - left, from_right: right - position, panel }
+    }
+
+    /// The places of up to so many points; after the last of them it is repeated.
+    pub(super) fn locate_all(&self, points: &[f64]) -> [Place; AT_ONCE] {
+        let mut last = self.place(0);
+        let mut points = points.iter();
+        std::array::from_fn(|_| {
+            if let Some(x) = points.next() {
+                last = self.locate(*x);
+            }
+            last
+        })
     }
 }
 

@@ -8,6 +8,7 @@
 //! Nor can a function be asked for its values closer to an end than numbers lie: there nodes are moved by rounding, and what the function changes by between neighbouring numbers is unknown
 //! ([`between_numbers`]). Where it leaves an end as `d^(1-mu)` and the kernel is `d^-mu`, that is some `eps^(2-2mu)` of the end value.
 
+use super::grid::AT_ONCE;
 use super::mesh::Mesh;
 use super::solution::Bubble;
 use crate::Error;
@@ -123,8 +124,10 @@ impl<'m> Misfit<'m> {
         let mut pairs: Vec<(f64, f64)> = between.collect::<Result<_, Error>>()?;
         pairs.extend(sampled.places.iter().copied().zip(sampled.values.iter().copied()));
         let sampled = sampled.moved(pairs);
-        let pairs = sampled.places.iter().zip(&sampled.values);
-        let differences = pairs.map(|(&x, value)| value - interpolant.evaluate(x)).collect();
+        let mut differences = interpolant.evaluate(&sampled.places);
+        for (difference, value) in differences.iter_mut().zip(&sampled.values) {
+            *difference = value - *difference;
+        }
         Ok(Self { mesh, sampled, differences })
     }
 
@@ -174,14 +177,18 @@ impl<'m> Interpolant<'m> {
         Ok(Self { mesh, ends, bubble: Bubble::new(mesh.grid(), values) })
     }
 
-    fn evaluate(&self, x: f64) -> f64 {
-        let place = self.mesh.locate(x);
-        let line = line(self.ends[place.panel], place.from_left, place.from_right);
-        if place.from_left <= 0.0 || place.from_right <= 0.0 {
-            return line;
+    fn evaluate(&self, points: &[f64]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(points.len());
+        for points in points.chunks(AT_ONCE) {
+            let places = self.mesh.locate_all(points);
+            let steps = self.mesh.grid().steps(&places);
+            for ((_, place), tau) in points.iter().zip(places).zip(steps) {
+                let line = line(self.ends[place.panel], place.from_left, place.from_right);
+                let is_end = place.from_left <= 0.0 || place.from_right <= 0.0;
+                values.push(if is_end { line } else { line + self.bubble.at(place.panel, tau) });
+            }
         }
-        let tau = self.mesh.grid().inverse(place) / self.mesh.grid().step();
-        line + self.bubble.at(place.panel, tau)
+        values
     }
 }
 

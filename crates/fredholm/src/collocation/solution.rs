@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use super::grid::AT_ONCE;
 use super::mesh::Mesh;
 use super::{Place, SincGrid};
-use crate::linear::vectorised;
+use crate::linear::{dot, vectorised};
 
 /// Independent partial sums of the interpolation.
 const LANES: usize = 8;
@@ -118,8 +119,14 @@ impl SincSolution {
 
     /// `phi` at several points, given `f` there, without allocation; as many as the shortest of the three lists has.
     pub fn evaluate_into(&self, points: &[f64], right_hand_side: &[f64], values: &mut [f64]) {
-        for ((&x, f), value) in points.iter().zip(right_hand_side).zip(values) {
-            *value = self.evaluate(x, *f);
+        let lists = points.chunks(AT_ONCE).zip(right_hand_side.chunks(AT_ONCE));
+        for ((points, right), values) in lists.zip(values.chunks_mut(AT_ONCE)) {
+            let places = self.mesh.locate_all(points);
+            let steps = self.mesh.grid().steps(&places);
+            let at_places = places.into_iter().zip(steps);
+            for (((place, tau), f), value) in at_places.zip(right).zip(values) {
+                *value = f - self.parameter * self.potential_of(place, || tau);
+            }
         }
     }
 
@@ -171,6 +178,12 @@ impl SincSolution {
 
     /// `(K phi)` at a place.
     pub(super) fn potential_at(&self, place: Place) -> f64 {
+        let grid = self.mesh.grid();
+        self.potential_of(place, || grid.inverse(place) / grid.step())
+    }
+
+    /// `(K phi)` at a place of which `tau = t/h` is known where it is not an end.
+    fn potential_of(&self, place: Place, tau: impl FnOnce() -> f64) -> f64 {
         let end = self.mesh.left_end(place.panel);
         if place.from_left <= 0.0 {
             return self.boundaries[end];
@@ -178,8 +191,7 @@ impl SincSolution {
         if place.from_right <= 0.0 {
             return self.boundaries[end + 1];
         }
-        let t = self.mesh.grid().inverse(place);
-        line(&self.boundaries, end, place) + self.interpolate(place.panel, t)
+        line(&self.boundaries, end, place) + self.bubble.at(place.panel, tau())
     }
 
     /// The interpolated part of `K phi` at `t` in a panel, beside the straight line.
@@ -187,10 +199,12 @@ impl SincSolution {
         self.bubble.at(panel, t / self.mesh.grid().step())
     }
 
-    /// `(K phi)` at a place inside a panel, of which `tau = t/h` is known.
-    pub(super) fn potential_between(&self, place: Place, tau: f64) -> f64 {
-        let end = self.mesh.left_end(place.panel);
-        line(&self.boundaries, end, place) + self.bubble.at(place.panel, tau)
+    /// `(K phi)` at the places of all panels that are halfway, in `t`, between neighbouring nodes.
+    pub(super) fn potential_halfway(&self, places: impl Iterator<Item = Place>) -> Vec<f64> {
+        let at_places = places.zip(self.bubble.halfway());
+        at_places
+            .map(|(place, v)| line(&self.boundaries, self.mesh.left_end(place.panel), place) + v)
+            .collect()
     }
 
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
@@ -241,6 +255,30 @@ impl Bubble {
             return values[(nearest + half_count) as usize];
         }
         (values[self.half_count] / tau + self.panels[panel].sum(tau)) * sine_of_turns(tau, nearest)
+    }
+
+    /// The values at `tau = k + 1/2`, between neighbouring nodes `k` and `k + 1`, of all panels: `(1/pi) sum_j (-1)^m v_j / (1/2 - m)`, `m = j - k`.
+    fn halfway(&self) -> Vec<f64> {
+        let count = 2 * self.half_count + 1;
+        let weight = |index: usize| {
+            let m = index as f64 - (count - 1) as f64;
+            let sign = if (count - 1 + index).is_multiple_of(2) { 1.0 } else { -1.0 };
+            sign / (PI * (0.5 - m))
+        };
+        // For every `m`, from `1 - count` to `count - 1`.
+        let weights: Vec<f64> = (0..2 * count - 1).map(weight).collect();
+        let mut found = Vec::with_capacity(self.panels.len() * (count - 1));
+        vectorised(
+            #[inline(always)]
+            || {
+                for values in self.values.chunks_exact(count) {
+                    for k in 0..count - 1 {
+                        found.push(dot(&weights[count - 1 - k..][..count], values));
+                    }
+                }
+            },
+        );
+        found
     }
 }
 

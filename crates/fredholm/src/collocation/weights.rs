@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use crate::kernel::{Pair, Singularity, Split};
 use crate::linear::vectorised;
@@ -134,7 +135,17 @@ fn add<'v>(
 }
 
 fn logarithm(count: usize) -> Vec<f64> {
-    (0..count).map(|j| if j == 0 { -(EULER + PI.ln()) } else { -cosine_integral_pi(j) }).collect()
+    /// As many as most equations need; they depend on nothing.
+    static FIRST: LazyLock<[f64; 512]> = LazyLock::new(|| std::array::from_fn(of_logarithm));
+    let known = &FIRST[..count.min(FIRST.len())];
+    let mut weights = Vec::with_capacity(count);
+    weights.extend_from_slice(known);
+    weights.extend((known.len()..count).map(of_logarithm));
+    weights
+}
+
+fn of_logarithm(j: usize) -> f64 {
+    if j == 0 { -(EULER + PI.ln()) } else { -cosine_integral_pi(j) }
 }
 
 impl PowerWeights {

@@ -37,9 +37,7 @@ const OWN: [f64; 6] = [0.0137, 0.1713, 0.3829, 0.5774, 0.8147, 0.9931];
 
 /// Values compared at once, and after how many of these it is asked whether one has failed.
 const LANES: usize = 32;
-const GROUPS: usize = 2;
-/// Of the last terms of a series so much, relative to the largest value, may be left out: it is less than counts.
-const FADED: f64 = f64::EPSILON;
+const GROUPS: usize = 4;
 
 /// A panel of a partition.
 #[derive(Debug, Clone, Copy)]
@@ -309,18 +307,14 @@ struct Polynomial {
 }
 
 impl Polynomial {
-    /// From `a_k`; the last of them may be left out beside a largest value.
+    /// From `a_k`; the last of them are left out where they are the rounding of values up to a largest one, `(k + 1/2) eps`.
     fn new((centre, half): (f64, f64), series: [f64; NODES], largest: f64) -> Self {
-        let mut left_out = 0.0;
-        let mut count = NODES;
-        while count > 1 {
-            left_out += series[count - 1].abs();
-            if left_out.is_nan() || left_out > FADED * largest {
-                break;
-            }
-            count -= 1;
-        }
-        Self { centre, scale: 1.0 / half, series, count }
+        let counts = |k: &usize| {
+            let rounding = (*k as f64 + 0.5) * f64::EPSILON * largest;
+            series[*k].is_nan() || series[*k].abs() > rounding
+        };
+        let last = (1..NODES).rev().find(counts).unwrap_or(0);
+        Self { centre, scale: 1.0 / half, series, count: last + 1 }
     }
 
     /// By Clenshaw's recurrence.
@@ -355,7 +349,7 @@ impl Polynomial {
                     lanes[lane] = if difference > lanes[lane] { difference } else { lanes[lane] };
                 }
             }
-            most = lanes.iter().fold(most, |most, lane| most.max(*lane));
+            most = largest_of_lanes(lanes);
             if most > allowed {
                 return most;
             }
@@ -366,6 +360,20 @@ impl Polynomial {
         }
         most
     }
+}
+
+/// By halves: one after the other they would wait for each other.
+#[inline(always)]
+fn largest_of_lanes(mut lanes: [f64; LANES]) -> f64 {
+    let mut half = LANES / 2;
+    while half > 0 {
+        for lane in 0..half {
+            let other = lanes[lane + half];
+            lanes[lane] = if other > lanes[lane] { other } else { lanes[lane] };
+        }
+        half /= 2;
+    }
+    lanes[0]
 }
 
 #[cfg(test)]

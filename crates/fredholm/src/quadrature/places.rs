@@ -92,7 +92,7 @@ impl Sampled {
     /// [`Error::NotFinite`] where the function is not finite.
     pub(crate) fn new(
         interval: Interval,
-        f: &dyn Fn(f64) -> f64,
+        f: &(impl Fn(f64) -> f64 + ?Sized),
         cuts: &[f64],
     ) -> Result<Self, Error> {
         let places = places_in_parts(interval, cuts);

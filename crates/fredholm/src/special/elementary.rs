@@ -23,23 +23,20 @@ const LARGE: f64 = 1e300;
 /// Bits of an exponent of a power that are multiplied exactly with a power of 2 in any double.
 const HIGH_BITS: u64 = !((1 << 13) - 1);
 
+/// Numbers looked at and replaced at once.
+const AT_ONCE: usize = 64;
+
 /// Replaces each number by its logarithm, to 1 unit in the last place; NaN for negative numbers.
 pub(crate) fn logarithms(numbers: &mut [f64]) {
-    let are_normal = vectorised(
-        #[inline(always)]
-        || are_normal(numbers),
-    );
-    if !are_normal {
-        return numbers.iter_mut().for_each(|x| *x = x.ln());
-    }
     vectorised(
         #[inline(always)]
-        || {
-            for x in numbers.iter_mut() {
-                *x = logarithm(*x);
-            }
-        },
+        || replace(numbers, logarithm, f64::ln),
     );
+}
+
+/// One logarithm, with the same bits.
+pub(crate) fn logarithm_of(x: f64) -> f64 {
+    if are_normal(&[x]) { logarithm(x) } else { x.ln() }
 }
 
 /// Replaces each number `x >= 0` by `ln(1 + x)`, to 2 units in the last place.
@@ -63,22 +60,34 @@ pub(crate) fn logarithms_of_one_and(numbers: &mut [f64]) {
 
 /// Replaces each number by its power, `x^exponent`, to 2 units in the last place. `|exponent| <= 1`.
 pub(crate) fn powers(numbers: &mut [f64], exponent: f64) {
-    let are_normal = vectorised(
-        #[inline(always)]
-        || are_normal(numbers),
-    );
-    if !are_normal {
-        return numbers.iter_mut().for_each(|x| *x = x.powf(exponent));
-    }
     let power = Power::new(exponent);
     vectorised(
         #[inline(always)]
         || {
-            for x in numbers.iter_mut() {
-                *x = power.of(*x);
-            }
+            replace(
+                numbers,
+                #[inline(always)]
+                |x| power.of(x),
+                |x| x.powf(exponent),
+            );
         },
     );
+}
+
+/// Replaces each number by its value: of normal ones, some at once, and of others.
+#[inline(always)]
+fn replace(numbers: &mut [f64], normal: impl Fn(f64) -> f64, other: impl Fn(f64) -> f64) {
+    for numbers in numbers.chunks_mut(AT_ONCE) {
+        if are_normal(numbers) {
+            for x in numbers.iter_mut() {
+                *x = normal(*x);
+            }
+        } else {
+            for x in numbers.iter_mut() {
+                *x = if are_normal(&[*x]) { normal(*x) } else { other(*x) };
+            }
+        }
+    }
 }
 
 /// Whether all are positive, finite and not so small that they lose digits.
