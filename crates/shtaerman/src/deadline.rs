@@ -16,9 +16,15 @@ pub(crate) mod work {
     pub(crate) const PAIRS: f64 = 200.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 3.0;
+    /// Of what a node of a ring does to another on a smooth surface.
+    pub(crate) const RINGS: f64 = 6000.0;
+    /// Of a term of a sum for the pressure of a smooth surface, or for its displacement, at a place where it is looked at.
+    pub(crate) const TERM: f64 = 200.0;
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
     pub(crate) const SLOPE: f64 = 2000.0;
     pub(crate) const DERIVATIVE: f64 = 8000.0;
+    /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
+    pub(crate) const DERIVATIVES: u32 = 20_000;
 }
 
 /// The end of the time, or of the work, that a solve may take, or the wish of its caller to end it; without a limit of time no clock is read.

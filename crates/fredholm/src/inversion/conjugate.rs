@@ -211,6 +211,12 @@ impl Conjugate {
         self.panels.len()
     }
 
+    /// How many terms are summed for a value.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        self.series.as_ref().map_or(ORDER * self.panels.len(), |series| series.cosines().len())
+    }
+
     /// Whether it is the slope over a half turn, odd beyond it.
     #[must_use]
     pub fn is_odd(&self) -> bool {

@@ -32,8 +32,13 @@ impl AbelTransform {
         cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
         cuts.push(radius);
         let size = shape.transform(radius).abs();
-        let segments: Vec<Segment> =
-            cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
+        let before = [f64::NAN].into_iter().chain(cuts.iter().copied());
+        let segments: Vec<Segment> = (before.zip(cuts.windows(2)))
+            .map(|(before, pair)| {
+                let apart = if pair[0] > 0.0 { leg(pair[0], before) } else { f64::INFINITY };
+                Segment::new(shape, [pair[0], pair[1]], apart, [size, radius])
+            })
+            .collect();
         let mut panels = segments.iter().flat_map(|segment| &segment.panels);
         let is_zero = panels.all(|panel| panel.count == 0);
         Self { segments, powers: shape.powers.clone(), part: shape.part, is_zero }

@@ -167,7 +167,7 @@ pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Che
             let noise = equation.noise(&solved, &left);
             noise > ALLOWED && equation.check(&solved, noise).is_clean()
         };
-        if left.is_clean() || is_noise() || equation.deadline().is_past() {
+        if left.is_clean() || equation.deadline().is_past() || is_noise() {
             return Ok((solved, left));
         }
         last = left.as_error();
@@ -344,12 +344,12 @@ impl Progress {
 pub(super) struct Work(Cell<f64>);
 
 impl Work {
-    /// Adds the solution of a dense system, and other work in the same unit.
+    /// Adds the solution of a dense system.
     ///
     /// # Errors
     /// [`Error::NotComplementary`] once that is too much.
-    pub(super) fn spend(&self, unknowns: usize, other: f64, most: f64) -> Result<(), Error> {
-        self.0.set(self.0.get() + (unknowns as f64).powi(3) + other);
+    pub(super) fn spend(&self, unknowns: usize, most: f64) -> Result<(), Error> {
+        self.0.set(self.0.get() + (unknowns as f64).powi(3));
         if self.0.get() <= most { Ok(()) } else { Err(unknown()) }
     }
 

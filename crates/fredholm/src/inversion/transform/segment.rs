@@ -16,6 +16,8 @@ const MOST_PANELS: usize = 128;
 const LENGTHS: f64 = 1024.0;
 /// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
+/// Beside a bend that has another next to it, or the axis, panels are this many times as long as they are away from there (survey).
+const LONGER: f64 = 4.0;
 /// Longest share of a segment that a bend may shape alone: sixteen times as far is inside, too (theory).
 const LONGEST_START: f64 = 1.0 / 16.0;
 /// A first panel shorter than this share of its segment is there for a bend (survey).
@@ -50,6 +52,8 @@ fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> ([f64; ORDER], 
 pub(super) struct Segment {
     /// `b` and the next kink or the edge.
     pub(super) ends: [f64; 2],
+    /// How far in `s` the bend before `b`, or the axis, lies apart from it; infinite where `b` is the axis.
+    apart: f64,
     pub(super) panels: Vec<Panel>,
     /// What `G` is in place of the first panels beside a bend.
     pub(super) start: Option<Start>,
@@ -111,18 +115,35 @@ pub(super) fn leg(x: f64, y: f64) -> f64 {
 }
 
 impl Segment {
-    pub(super) fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
+    /// From one bend to the next or to the edge. The bend before, or the axis, lies `apart` in `s` beyond the first; `size` is `G` at the edge of all, `radius`.
+    pub(super) fn new(
+        shape: &Shape<'_>,
+        ends: [f64; 2],
+        apart: f64,
+        [size, radius]: [f64; 2],
+    ) -> Self {
         let sampled = |own: [f64; 2], depth: u32, before: [f64; 2]| {
             let (values, blur) = sample(shape, ends[0], own);
             let tail = largest(&values[ORDER - 2..]);
             Sampled { ends: own, values, blur, depth, tail, before }
         };
-        let first = sampled([0.0, leg(ends[1], ends[0])], 0, [f64::INFINITY, 1.0]);
-        let size = size.max(largest(&first.values));
+        // G is shaped by what lies apart from the bend, on panels that are no longer than so far away from there.
+        let length = leg(ends[1], ends[0]);
+        let cuts = std::iter::successors(Some(apart), |cut| Some(LONGER * cut));
+        let cuts: Vec<f64> = cuts.take_while(|cut| LONGER * cut < length).collect();
+        let begins = std::iter::once(0.0).chain(cuts.iter().copied());
+        let first = begins.zip(cuts.iter().copied().chain([length]));
+        let mut panels: Vec<Sampled> =
+            first.map(|(from, to)| sampled([from, to], 0, [f64::INFINITY, 1.0])).collect();
+        let size = panels.iter().fold(size, |most, panel| most.max(largest(&panel.values)));
         let rounded = shape.noise * if shape.part == Symmetry::Odd { 1.0 } else { ends[1] };
         let is_open = |panel: &Sampled| {
             let rounded = rounded + panel.blur;
             let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
+            // Slopes of short panels blow up what they miss: beside a bend that lies next to the axis G is to be known as under a paraboloid, however small it is there.
+            let beyond = if ends[0] > 0.0 { ends[0].hypot(panel.ends[1]) } else { radius };
+            let share = (beyond / radius).min(1.0);
+            let size = largest(&panel.values).max(share * share * size).min(size);
             let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
             let [before, whole] = panel.before;
             // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance: there all is held against its own size, and rounding is what a panel drops.
@@ -137,7 +158,6 @@ impl Segment {
             let is_settled = panel.tail <= resolved(own) || is_noise;
             !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
-        let mut panels = vec![first];
         while panels.len() < MOST_PANELS && !(shape.is_over)() {
             let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
             let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
@@ -150,7 +170,7 @@ impl Segment {
         }
         let panels: Vec<Panel> =
             panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
-        let plain = Self::at_rest(ends, panels, &shape.powers);
+        let plain = Self { apart, ..Self::at_rest(ends, panels, &shape.powers) };
         let missed = plain.missed(&shape.powers);
         if missed <= NOISE * plain.pressure(&shape.powers, ends[0]).abs() {
             return plain;
@@ -189,7 +209,7 @@ impl Segment {
             let halves = [[from, middle], [middle, to]];
             let halves = halves.map(|own| Panel::new(own, sample(shape, ends[0], own).0));
             let panels = halves.iter().chain(&best.panels[1..]).cloned().collect();
-            let next = Self::at_rest(ends, panels, &shape.powers);
+            let next = Self { apart: best.apart, ..Self::at_rest(ends, panels, &shape.powers) };
             let left = next.missed(&shape.powers);
             if left > 0.5 * missed {
                 break;
@@ -218,7 +238,8 @@ impl Segment {
     /// Whether its panels are short at the bend.
     pub(super) fn is_bent(&self) -> bool {
         let [bend, end] = self.ends;
-        self.panels.first().is_some_and(|first| first.ends[1] <= BENT * leg(end, bend))
+        let length = leg(end, bend).min(self.apart);
+        self.panels.first().is_some_and(|first| first.ends[1] <= BENT * length)
     }
 
     /// What polynomials miss of the pressure beside the end, where the base may bend from this side as well: no place sees more of it than those in the last panel.
@@ -256,7 +277,7 @@ impl Segment {
         {
             *first = first.clone().with_rest();
         }
-        Self { ends, panels, start: None }
+        Self { ends, apart: f64::INFINITY, panels, start: None }
     }
 
     /// The part up to `end`, by the same polynomials.
@@ -265,7 +286,8 @@ impl Segment {
         let kept = self.panels.iter().filter(|panel| panel.ends[0] < to);
         let panels = kept.map(|panel| panel.within(to)).collect();
         let start = self.start.filter(|start| start.to <= to);
-        Self { start, ..Self::at_rest([self.ends[0], end], panels, powers) }
+        let apart = self.apart;
+        Self { start, apart, ..Self::at_rest([self.ends[0], end], panels, powers) }
     }
 
     /// The same with less of each series.
@@ -276,7 +298,8 @@ impl Segment {
             Panel::new(panel.ends, values)
         };
         let panels = self.panels.iter().map(less).collect();
-        Self { start: self.start, ..Self::at_rest(self.ends, panels, powers) }
+        let (start, apart) = (self.start, self.apart);
+        Self { start, apart, ..Self::at_rest(self.ends, panels, powers) }
     }
 
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.

@@ -1,5 +1,7 @@
 //! Abel's transforms of polynomials, of powers beside the axis, and of parts.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::super::rule::{integral, series};
 use super::segment::leg;
 use super::steps::{STEP, stepwise, stepwise_at_nodes};
@@ -460,6 +462,51 @@ fn a_bend_that_is_felt_on_both_sides_is_as_exact_as_stated() {
                 let off = (found.pressure(r) - best.pressure(r)).abs();
                 assert!(off <= error + 1e-14, "{mu} {n} {tolerance} {share}: {off:e} {error:e}");
             }
+        }
+    }
+}
+
+/// `max(0, r - b)^2` for each bend, up to the radius.
+fn squares(bends: &[f64], radius: f64) -> AbelTransform {
+    let slope = |r: f64| bends.iter().map(|bend| 2.0 * (r - bend).max(0.0)).sum();
+    let shape = Shape {
+        slope: &slope,
+        breaks: bends.to_vec(),
+        joints: Vec::new(),
+        tolerance: 0.0,
+        noise: 0.0,
+        remote: 0.0,
+        powers: Powers::new(0.0).unwrap(),
+        part: Symmetry::Revolution,
+        is_over: &|| false,
+    };
+    AbelTransform::new(&shape, radius)
+}
+
+#[test]
+fn a_bend_next_to_the_axis_is_seen() {
+    // G' = 4 w - 2 b arccos(b/x), w = sqrt(x^2 - b^2); int_b^c arccos(b/x) dx/x = (pi/2) ln(c/(2 b)) + e + e^3/18 + 3 e^5/200 + .., e = b/c.
+    for bend in [1e-7f64, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let (c, e) = (0.4, bend / 0.4);
+        let series = e + e.powi(3) / 18.0 + 3.0 * e.powi(5) / 200.0;
+        let beyond = FRAC_PI_2 * (0.5 / e).ln() + series;
+        let exact = 4.0 * (leg(c, bend) - bend * e.acos()) - 2.0 * bend * beyond;
+        let found = squares(&[bend], c).pressure(0.0);
+        assert!((found - exact).abs() < 2e-13 * exact, "{bend:e}: {found} {exact}");
+    }
+}
+
+#[test]
+fn two_bends_next_to_one_another_add_up() {
+    for apart in [1e-9, 1e-7, 1e-4] {
+        let bends = [0.2, 0.2 + apart];
+        let both = squares(&bends, 1.0);
+        let each = bends.map(|bend| squares(&[bend], 1.0));
+        for r in [0.0, 0.1, 0.2 - apart, 0.2 + 0.5 * apart, 0.2 + 1.01 * apart, 0.3] {
+            let sum: f64 = each.iter().map(|one| one.pressure(r)).sum();
+            let found = both.pressure(r);
+            let allowed = both.bend_error() + 1e-12 * sum;
+            assert!((found - sum).abs() < allowed, "{apart:e} {r}: {found} {sum} {allowed:e}");
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::{Linearised, Rates, smooth_rates};
-use crate::contact::search::{ALLOWED, complementary};
+use crate::contact::search::{ALLOWED, complementary, unknown};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
@@ -48,7 +48,7 @@ impl<P: Pressure> SmoothContact<P> {
         solved: P,
         left: &Check,
     ) -> Result<Self, Error> {
-        let base = Arc::clone(equation.shared().0);
+        let base = Arc::clone(equation.base());
         let (accuracy, edge_error) = estimate(equation, &solved, left.largest);
         let accuracy = accuracy.with_left(left.missed, &solved.stiffness());
         let state = solved.state();
@@ -302,5 +302,9 @@ pub(super) fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Sol
         let left = check(equation.base(), &solved, ALLOWED);
         (solved, left)
     };
+    // What is looked at no more is no answer.
+    if equation.base().deadline().is_spent() {
+        return Err(unknown());
+    }
     SmoothContact::new(equation, solved, &left)
 }

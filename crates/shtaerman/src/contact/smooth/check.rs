@@ -7,6 +7,7 @@ use super::pressure::{Pressure, place};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
 use crate::contact::zones::{EndKind, Zone, outside};
+use crate::deadline::work;
 use crate::line_search::Point;
 
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
@@ -65,7 +66,8 @@ impl Along {
         let has_corner = zone.kinds.contains(&EndKind::Wall);
         let pull = |xi: f64| {
             let place = place(&zone, xi);
-            -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
+            let at = || if has_corner { solved.regular(j, place) } else { solved.at(j, place) };
+            -counted(base, solved.terms(), at)
         };
         let points: Vec<Point> = points.into_iter().map(|xi| (xi, pull(xi))).collect();
         let (points, pulls) = with_tops(&points, pull);
@@ -89,11 +91,18 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
         points.sort_by(f64::total_cmp);
         let depth = |xi: f64| state.settlement - state.tilt * xi - base.height_in(ends, xi);
         let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
-        let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
+        let outside = |xi: f64| counted(base, solved.terms(), || depth(xi) - solved.outside(xi));
+        let value = |xi: f64| if touches(xi) { 0.0 } else { outside(xi) };
         let points: Vec<Point> = points.into_iter().map(|xi| (xi, value(xi))).collect();
         let (points, values) = with_tops(&points, value);
         check.add_penetration(&points, &values, [scale, allowed, floor]);
     }
+}
+
+/// A value that is summed from so many terms, which is work; none where no work is left, and no answer comes of it.
+fn counted(base: &Base, terms: usize, value: impl FnOnce() -> f64) -> f64 {
+    base.deadline().spend(work::TERM * terms as f64);
+    if base.deadline().is_spent() { 0.0 } else { value() }
 }
 
 /// Both ends and places between that show every feature of the profile.

@@ -10,10 +10,10 @@ use super::topology;
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
-use crate::contact::search::{COARSELY_ALLOWED, Equation, Start, Work};
+use crate::contact::search::{COARSELY_ALLOWED, Equation, Start};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, work};
 
 /// How finely pressures on zones are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -28,8 +28,6 @@ pub(in crate::contact) struct Detail {
 pub(super) const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
 pub(super) const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
-/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds. Half and twice change none of 32 answers (survey).
-const MOST_WORK: f64 = 3e11;
 
 /// The equation of the first kind on one kind of ground.
 pub(in crate::contact) trait FirstKind {
@@ -37,12 +35,7 @@ pub(in crate::contact) trait FirstKind {
     /// Most zones that are coupled: beyond, minutes go by.
     const MOST_ZONES: usize = 120;
 
-    /// The base, and what the search has cost so far.
-    fn shared(&self) -> (&Arc<Base>, &Work);
-
-    fn base(&self) -> &Base {
-        self.shared().0
-    }
+    fn base(&self) -> &Arc<Base>;
 
     /// The pressure on zones, from left to right.
     ///
@@ -61,8 +54,9 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
         return Err(Error::NoContact);
     }
     let solved = equation.on_zones(zones, detail)?;
-    equation.shared().1.spend(solved.coupled(), 0.0, MOST_WORK)?;
-    equation.deadline().spend((solved.coupled() as f64).powi(3));
+    let (count, is_disk) = (solved.coupled() as f64, equation.base().ground.is_disk());
+    let of_pair = count + if is_disk { work::RINGS } else { 0.0 };
+    equation.deadline().spend(of_pair * count * count);
     Ok(solved)
 }
 

@@ -97,6 +97,11 @@ pub(in crate::contact) trait Pressure:
     /// Number of unknowns.
     fn unknowns(&self) -> usize;
 
+    /// About how many terms are summed for a value.
+    fn terms(&self) -> usize {
+        self.unknowns()
+    }
+
     /// How many of them a dense system couples.
     fn coupled(&self) -> usize {
         self.unknowns()

@@ -196,7 +196,7 @@ impl Equation for Collocation<'_> {
         let nodes = SincNodes::new(self.base, effort, zones)?;
         let Found { step, inverse } = newton::solve(&nodes, near)?;
         let solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
-        self.work.spend(solved.given.len(), 0.0, self.effort.work)?;
+        self.work.spend(solved.given.len(), self.effort.work)?;
         Ok(solved)
     }
 

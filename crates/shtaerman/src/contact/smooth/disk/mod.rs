@@ -30,7 +30,7 @@ use super::base::Base;
 use super::check::check;
 use super::equation::{COMPARED, Detail, FINE, FirstKind};
 use crate::contact::edges::settle;
-use crate::contact::search::{ALLOWED, Work};
+use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational};
@@ -72,7 +72,6 @@ pub(super) struct Disk {
     modulus: f64,
     /// What is prescribed of the tilt.
     rotational: Rotational,
-    work: Work,
     /// The transform over the whole base, and the last one up to less.
     whole: OnceCell<AbelTransform>,
     latest: RefCell<Option<(f64, Arc<AbelTransform>)>>,
@@ -83,9 +82,8 @@ impl Disk {
         let powers = Powers::new(base.ground.exponent())?;
         let modulus = powers.modulus(std::f64::consts::PI * base.setting.theta0());
         let rotational = base.setting.load().rotational;
-        let (work, whole) = (Work::default(), OnceCell::new());
-        let latest = RefCell::new(None);
-        Ok(Self { base, powers, modulus, rotational, work, whole, latest })
+        let (whole, latest) = (OnceCell::new(), RefCell::new(None));
+        Ok(Self { base, powers, modulus, rotational, whole, latest })
     }
 
     /// Whether a contact of rings can be solved for.
@@ -160,8 +158,8 @@ impl FirstKind for Disk {
     type Solved = Solved;
     const MOST_ZONES: usize = 48;
 
-    fn shared(&self) -> (&Arc<Base>, &Work) {
-        (&self.base, &self.work)
+    fn base(&self) -> &Arc<Base> {
+        &self.base
     }
 
     fn on_zones(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {

@@ -19,7 +19,6 @@ use fredholm::inversion::Powers;
 use super::base::Base;
 use super::equation::{Detail, FirstKind};
 use crate::Error;
-use crate::contact::search::Work;
 use crate::contact::zones::Zone;
 use solved::Solved;
 
@@ -27,7 +26,6 @@ use solved::Solved;
 pub(super) struct Graded {
     base: Arc<Base>,
     ground: Ground,
-    work: Work,
 }
 
 /// The kernel with its `theta0`.
@@ -44,15 +42,15 @@ impl Graded {
         let theta0 = base.setting.theta0();
         let response = theta0 * PI / (libm::tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
         let ground = Ground { modulus: powers.modulus(response), powers };
-        Ok(Self { base, ground, work: Work::default() })
+        Ok(Self { base, ground })
     }
 }
 
 impl FirstKind for Graded {
     type Solved = Solved;
 
-    fn shared(&self) -> (&Arc<Base>, &Work) {
-        (&self.base, &self.work)
+    fn base(&self) -> &Arc<Base> {
+        &self.base
     }
 
     fn on_zones(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {

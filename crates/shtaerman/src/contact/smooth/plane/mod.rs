@@ -21,7 +21,6 @@ use fredholm::inversion::Conjugate;
 use super::base::Base;
 use super::equation::{COMPARED, Detail, FirstKind};
 use crate::contact::accuracy::OF_A_VALUE;
-use crate::contact::search::Work;
 use crate::contact::zones::Zone;
 use crate::{Error, Geometry};
 use kernel::Kernel;
@@ -42,7 +41,6 @@ pub(super) fn counts(zones: &[Zone], digits: f64) -> Result<Vec<usize>, Error> {
 pub(super) struct Plane {
     base: Arc<Base>,
     kernel: Kernel,
-    work: Work,
 }
 
 impl Plane {
@@ -52,7 +50,7 @@ impl Plane {
             Geometry::Periodic { period } => Some(period),
             _ => None,
         };
-        Self { base, kernel: Kernel { period }, work: Work::default() }
+        Self { base, kernel: Kernel { period } }
     }
 
     /// The slope of the profile on a zone about its mean, which is returned too.
@@ -75,8 +73,8 @@ impl Plane {
 impl FirstKind for Plane {
     type Solved = Solved;
 
-    fn shared(&self) -> (&Arc<Base>, &Work) {
-        (&self.base, &self.work)
+    fn base(&self) -> &Arc<Base> {
+        &self.base
     }
 
     fn on_zones(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {

@@ -195,4 +195,9 @@ impl Pressure for Solved {
     fn unknowns(&self) -> usize {
         self.parts.iter().map(Part::count).sum()
     }
+
+    fn terms(&self) -> usize {
+        let slopes = self.parts.iter().filter_map(Part::slope);
+        self.unknowns() + slopes.map(|slope| slope.terms()).sum::<usize>()
+    }
 }
