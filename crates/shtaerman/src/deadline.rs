@@ -13,13 +13,13 @@ pub(crate) mod work {
     pub(crate) const NODE: f64 = 2e5;
     pub(crate) const PRODUCT: f64 = 1.5e4;
     /// So many pairs of nodes that are near to each other take as long as a node (survey: 40 to 300 a node, up to 5800 where they crowd).
-    pub(crate) const PAIRS: f64 = 200.0;
+    pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.
-    pub(crate) const POWERS: f64 = 3.0;
+    pub(crate) const POWERS: f64 = 1.5;
     /// Of what a node of a ring does to another on a smooth surface.
     pub(crate) const RINGS: f64 = 6000.0;
     /// Of a term of a sum for the pressure of a smooth surface, or for its displacement, at a place where it is looked at.
-    pub(crate) const TERM: f64 = 200.0;
+    pub(crate) const TERM: f64 = 100.0;
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
     pub(crate) const SLOPE: f64 = 2000.0;
     pub(crate) const DERIVATIVE: f64 = 8000.0;

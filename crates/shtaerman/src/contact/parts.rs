@@ -56,12 +56,6 @@ pub(super) fn require_few(joints: &[f64]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Whether no part is much shorter than the others.
-fn are_alike(joints: &[f64]) -> bool {
-    let mean = 2.0 / (joints.len() + 1) as f64;
-    joints.windows(2).all(|pair| pair[1] - pair[0] >= ALIKE * mean)
-}
-
 impl Problem {
     /// The parts of the base; one of a measured profile, whose points are cuts only where that is asked for.
     pub(super) fn parts(&self) -> Parts {
@@ -75,7 +69,9 @@ impl Problem {
         let found = self.resolution(DEGREE, RESOLVED);
         let smoothness = if found.is_complete() { Smoothness::Proved } else { Smoothness::Unknown };
         let parts = Parts { joints: found.joints, smoothness };
-        if smoothness == Smoothness::Proved && parts.are_many() && are_alike(&parts.joints) {
+        let shortest = ALIKE * 2.0 / (parts.joints.len() + 1) as f64;
+        let are_alike = parts.joints.windows(2).all(|pair| pair[1] - pair[0] >= shortest);
+        if smoothness == Smoothness::Proved && parts.are_many() && are_alike {
             // Waves all over the base are seen by samples, and need no cuts of their own.
             let singular = found.singular.into_iter().filter(|at| parts.joints.contains(at));
             let joints = self.profile().breakpoints(self.bodies().half_width());

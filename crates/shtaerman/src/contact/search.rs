@@ -7,8 +7,6 @@
 //!
 //! Once a [deadline](Deadline) is past every step takes what there is: what comes of it is no answer, but the best so far.
 
-use std::cell::Cell;
-
 use super::check::Check;
 use super::edges::{self, EndState};
 use super::resolutions::SLOW;
@@ -336,24 +334,5 @@ impl Progress {
         self.before = f64::INFINITY;
         self.corrected = [worst, left.penetration];
         Next::Correct(self.width)
-    }
-}
-
-/// What a search has cost so far, in cubes of the numbers of unknowns.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Work(Cell<f64>);
-
-impl Work {
-    /// Adds the solution of a dense system.
-    ///
-    /// # Errors
-    /// [`Error::NotComplementary`] once that is too much.
-    pub(super) fn spend(&self, unknowns: usize, most: f64) -> Result<(), Error> {
-        self.0.set(self.0.get() + (unknowns as f64).powi(3));
-        if self.0.get() <= most { Ok(()) } else { Err(unknown()) }
-    }
-
-    pub(super) fn spent(&self) -> f64 {
-        self.0.get()
     }
 }

@@ -18,8 +18,10 @@ pub(super) fn rise(height: impl Fn(f64) -> f64, at: f64) -> Option<f64> {
     let ((below, bent_below), (above, bent_above)) = (limit(left), limit(right));
     let size = left.iter().chain(&right).fold(0.0f64, |most, height| most.max(height.abs()));
     let rise = above - below;
+    // A formula rounds places as large as the base, which counts by its slope.
+    let steepest = (left[2] - left[0]).abs().max((right[2] - right[0]).abs()) / (2.0 * BESIDE);
     // In second differences: beside a root the next are larger than those seen.
-    let allowed = ROUNDING * size + SAFETY * (bent_below + bent_above);
+    let allowed = ROUNDING * (size + steepest) + SAFETY * (bent_below + bent_above);
     (rise.abs() > allowed).then_some(rise)
 }
 

@@ -263,3 +263,49 @@ fn a_contact_that_ends_hardly_beyond_a_bend_is_as_good_as_stated() {
         assert_near(contact.zones()[0][1], 0.851 + beyond, 1e-14);
     }
 }
+
+/// Kinks of a flat top off the middle lie between two numbers, where its height is the rounding of a place: that is no step. The contact is its own mirror image about the flat top.
+#[test]
+fn a_flat_top_off_the_middle_has_no_steps() {
+    for (middle, half) in [(0.1, 0.1), (0.05, 0.05), (0.22, 0.08), (0.31, 0.08), (0.06, 0.01)] {
+        for ground in ["young_modulus = 1e9", "grading_exponent = 0.3\ngrading_modulus = 1e9"] {
+            let text = format!(
+                "[foundation]\n{ground}\npoisson_ratio = 0\nroughness = 0\n[punch]\nhalf_width = 1\nprofile = \"1e-4*max(0, abs(xi - {middle}) - {half})\"\n[load]\nforce = 27605.2\neccentricity = {middle}\n"
+            );
+            let contact = of_file(&text);
+            let stated = contact.error().unwrap();
+            assert_eq!(contact.zones().len(), 1, "{middle} {half}");
+            let [left, right] = contact.zones()[0];
+            assert_near(0.5 * (left + right), middle, stated.zones.unwrap());
+            assert_near(contact.tilt(), 0.0, stated.tilt);
+        }
+    }
+}
+
+/// A flat-topped paraboloid (mpmath, 30 digits): panels of Abel's transform begin with the bend, however small the flat is.
+#[test]
+fn a_small_flat_is_seen_in_the_pressure() {
+    for (flat, force, at, exact) in [
+        (1e-6, 8_532.693_331_000_205, 5e-7, 40_420.487_536_966_962),
+        (1e-5, 8_532.693_331_000_205, 5e-6, 40_410.750_653_678_26),
+    ] {
+        let text = format!(
+            "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"circular\"\nradius = 1\nprofile = \"1e-4*max(0, rho - {flat})^2\"\n[load]\nforce = {force}\nmoment = 0\n"
+        );
+        let contact = of_file(&text);
+        let stated = contact.error().unwrap().pressure;
+        assert!(stated < 1e-11 * exact, "{stated:e}");
+        assert_near(contact.pressure(at).unwrap(), exact, stated + 1e-14 * exact);
+    }
+}
+
+/// An end that is hardly known moves the force and the moment by its square (reciprocity with flat punches, mpmath, 30 digits).
+#[test]
+fn an_end_hardly_beyond_a_bend_is_felt_in_the_moment() {
+    let text = "[foundation]\ngrading_exponent = 0.05\ngrading_modulus = 1e9\npoisson_ratio = 0\nroughness = 0\n[punch]\nhalf_width = 1\nprofile = \"0.5812*0.0001*max(0, xi - 0.0129)^1.2\"\n[load]\nsettlement = 3.42815997320634e-07\ntilt = -5.7814497992693174e-08\n";
+    let contact = of_file(text);
+    let stated = contact.error().unwrap();
+    assert_near(contact.moment(), -3.080_271_896_727_752_3, stated.moment);
+    // A few hundred times what it is off by, and no more.
+    assert!(stated.moment < 1e-2, "{:e}", stated.moment);
+}

@@ -33,7 +33,10 @@ pub(super) fn refined<F: Field>(
             let sizes = finer.state.sizes(finer.largest());
             ends |= finer.stated.accuracy.relative(&sizes) <= tolerance;
             ends |= F::RATIO.is_some() && is_settled(&finer, &before, &change);
-            ends |= is_refused(base, &finer);
+            // A layer that bends and pulls is no answer, however well it is known.
+            let known_to = SAFETY * finer.stated.accuracy.pressure;
+            let bends = base.is_bilateral && !base.layer.is_linear();
+            ends |= bends && finer.pulls_most(known_to).is_some();
         }
         let known = |solved: &Solved<F>| solved.stated.accuracy.pressure;
         if known(&finer) <= known(&levels[best]) {
@@ -49,12 +52,6 @@ pub(super) fn refined<F: Field>(
     let mut found = levels.remove(best);
     found.coarser = levels.split_off(best.saturating_sub(2));
     Ok(found)
-}
-
-/// Whether a layer that bends is seen to pull where the whole base is kept in contact: that is no answer, however well it is known.
-fn is_refused<F: Field>(base: &Base, solved: &Solved<F>) -> bool {
-    let known_to = SAFETY * solved.stated.accuracy.pressure;
-    base.is_bilateral && !base.layer.is_linear() && solved.pulls_most(known_to).is_some()
 }
 
 /// Whether more nodes change no more than rounding; the integrals, too: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.

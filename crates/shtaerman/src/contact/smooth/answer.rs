@@ -302,7 +302,6 @@ pub(super) fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Sol
         let left = check(equation.base(), &solved, ALLOWED);
         (solved, left)
     };
-    // What is looked at no more is no answer.
     if equation.base().deadline().is_spent() {
         return Err(unknown());
     }

@@ -67,7 +67,7 @@ impl Along {
         let pull = |xi: f64| {
             let place = place(&zone, xi);
             let at = || if has_corner { solved.regular(j, place) } else { solved.at(j, place) };
-            -counted(base, solved.terms(), at)
+            -counted(base, solved.terms() / solved.zones().len(), at)
         };
         let points: Vec<Point> = points.into_iter().map(|xi| (xi, pull(xi))).collect();
         let (points, pulls) = with_tops(&points, pull);

@@ -56,7 +56,7 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
     let solved = equation.on_zones(zones, detail)?;
     let (count, is_disk) = (solved.coupled() as f64, equation.base().ground.is_disk());
     let of_pair = count + if is_disk { work::RINGS } else { 0.0 };
-    equation.deadline().spend(of_pair * count * count);
+    equation.deadline().spend(count * count * of_pair);
     Ok(solved)
 }
 

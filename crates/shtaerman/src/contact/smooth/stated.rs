@@ -10,6 +10,9 @@ use crate::contact::balance::State;
 /// Points of a zone at which two resolutions are compared.
 const COMPARISONS: usize = 33;
 
+/// What an end that moves does to the force at a given settlement, over `theta0`, intensities and `D^2/D'` of its density, which is estimated: a quarter of it by theory, as the force on `(-a, a)` is `1/(theta0 ln(2/a))`.
+const MOVED: f64 = PI;
+
 /// The largest difference of two functions of the angle of a zone. An irrational share of the step keeps clear of symmetric places, where a kink may be.
 pub(super) fn difference(one: impl Fn(f64) -> f64, other: impl Fn(f64) -> f64) -> f64 {
     (0..COMPARISONS)
@@ -25,7 +28,8 @@ pub(super) fn estimate<F: FirstKind>(
 ) -> (Accuracy, f64) {
     let other = equation.compared(solved);
     let zones = solved.zones();
-    let (mut pressure, mut edge) = (0.0f64, 0.0f64);
+    let (level, is_disk) = (solved.change(1.0, 0.0), equation.base().ground.is_disk());
+    let (mut pressure, mut edge, mut moved) = (0.0f64, 0.0f64, 0.0);
     for (j, zone) in zones.iter().enumerate() {
         let Known { density: rounding, pressure: own } = solved.known(j, largest);
         let along = |of: &F::Solved, angle: f64| of.regular(j, at_angle(zone, angle));
@@ -41,6 +45,10 @@ pub(super) fn estimate<F: FirstKind>(
             let density = here.value.abs() + (here.value - there).abs() + rounding;
             left = left.max(here.value.abs() * solved.singular(j, side));
             edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
+            let of_level = level.as_ref().map_or(0.0, |level| level.density(j, side).value);
+            let around = if is_disk { 2.0 * PI * at } else { 1.0 };
+            let intensity = solved.intensity(j, side);
+            moved += around * (intensity * density).powi(2) * (of_level / here.fall).abs();
         }
         pressure = pressure.max(changed + own + left);
     }
@@ -54,7 +62,7 @@ pub(super) fn estimate<F: FirstKind>(
     let forced = stiffness.force_settlement * level + stiffness.moment_tilt * turn;
     let displaced = ROUNDING * state.settlement.abs().max(state.tilt.abs());
     // A disk is tilted by its moment alone.
-    let turned = if equation.base().ground.is_disk() { 0.0 } else { displaced };
+    let turned = if is_disk { 0.0 } else { displaced };
     let carried = forced + ROUNDING * state.force.abs().max(state.moment.abs());
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
@@ -64,7 +72,8 @@ pub(super) fn estimate<F: FirstKind>(
         force: change(|state| state.force) + carried,
         moment: change(|state| state.moment) + carried,
     };
-    (accuracy, edge)
+    let moved = MOVED * equation.base().setting.theta0() * moved / stiffness.force_settlement.abs();
+    (accuracy.with_left(moved, &stiffness), edge)
 }
 
 /// The error of the pressure over the largest one.

@@ -1,5 +1,7 @@
 //! The collocated equation on zones, as the [search](crate::contact::search) knows it.
 
+use std::cell::Cell;
+
 use fredholm::collocation::first_half_count;
 
 use super::nodes::{RATIO, Resolution, SincField, SincNodes};
@@ -11,7 +13,7 @@ use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::solved::{BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
-use crate::contact::search::{Equation, Start, Work, unknown};
+use crate::contact::search::{Equation, Start, unknown};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone, mirror};
 use crate::deadline::Deadline;
@@ -50,14 +52,14 @@ impl Effort {
 pub(in crate::contact::rough) struct Collocation<'b> {
     base: &'b Base,
     effort: Effort,
-    work: Work,
+    spent: Cell<f64>,
     /// Whether the contact is its own mirror image.
     is_mirrored: bool,
 }
 
 impl<'b> Collocation<'b> {
     pub(in crate::contact::rough) fn new(base: &'b Base, effort: Effort) -> Self {
-        Self { base, effort, work: Work::default(), is_mirrored: base.is_mirrored() }
+        Self { base, effort, spent: Cell::new(0.0), is_mirrored: base.is_mirrored() }
     }
 
     /// Whether an answer takes less time than on panels, as far as the zones tell that cells show; a layer that bends takes many steps on several of them (survey).
@@ -81,7 +83,7 @@ impl<'b> Collocation<'b> {
         let next = |solved: &OnZones, level: usize| {
             let strength = resolution.strength * RATIO.powi(level as i32);
             let is_too_much = strength > self.effort.room(solved.nodes.panels.len())
-                || self.work.spent() > self.effort.work;
+                || self.spent.get() > self.effort.work;
             // Two are compared with the first in any case.
             if level > 2 && is_too_much {
                 return Ok(None);
@@ -196,8 +198,8 @@ impl Equation for Collocation<'_> {
         let nodes = SincNodes::new(self.base, effort, zones)?;
         let Found { step, inverse } = newton::solve(&nodes, near)?;
         let solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
-        self.work.spend(solved.given.len(), self.effort.work)?;
-        Ok(solved)
+        self.spent.set(self.spent.get() + (solved.given.len() as f64).powi(3));
+        if self.spent.get() <= self.effort.work { Ok(solved) } else { Err(unknown()) }
     }
 
     fn zones(&self, solved: &OnZones) -> Vec<Zone> {
