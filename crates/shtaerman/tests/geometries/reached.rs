@@ -286,7 +286,7 @@ fn a_flat_top_off_the_middle_has_no_steps() {
 #[test]
 fn a_small_flat_is_seen_in_the_pressure() {
     for (flat, force, at, exact) in [
-        (1e-6, 8_532.693_331_000_205, 5e-7, 40_420.487_536_966_962),
+        (1e-6, 8_532.693_331_000_205, 5e-7, 40_420.487_536_966_96),
         (1e-5, 8_532.693_331_000_205, 5e-6, 40_410.750_653_678_26),
     ] {
         let text = format!(
