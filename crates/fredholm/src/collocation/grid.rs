@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use super::Place;
 use crate::kernel::Kernel;
 use crate::quadrature::map::Node;
-use crate::special::{logarithm_of, logarithms};
+use crate::special::logarithms;
 use crate::{Error, Interval};
 
 /// Fewest and most nodes on either side of the middle.
@@ -152,7 +152,7 @@ impl SincGrid {
         self.map.inverse(argument, position)
     }
 
-    /// `t/h` of some places of panels, with the bits that they have one by one.
+    /// `t/h` of some places of panels, sooner than one by one.
     pub(super) fn steps(&self, places: &[Place; AT_ONCE]) -> [f64; AT_ONCE] {
         let (mut sines, mut positions, mut sizes) =
             ([0.0; AT_ONCE], [0.0; AT_ONCE], [0.0; AT_ONCE]);
@@ -190,7 +190,7 @@ impl SincGrid {
 fn local(place: Place) -> (f64, f64) {
     let Place { from_left, from_right, .. } = place;
     let position = (from_left - from_right) / (from_left + from_right);
-    (0.5 * logarithm_of(from_left / from_right), position)
+    (0.5 * (from_left / from_right).ln(), position)
 }
 
 impl Map {
@@ -198,7 +198,7 @@ impl Map {
     fn inverse(self, argument: f64, position: f64) -> f64 {
         let sine = argument / self.crowding;
         // asinh; its digits next to 0 are not needed.
-        let size = logarithm_of(sine.abs() + (sine * sine + 1.0).sqrt());
+        let size = (sine.abs() + (sine * sine + 1.0).sqrt()).ln();
         size.copysign(sine) + self.evenness * position
     }
 

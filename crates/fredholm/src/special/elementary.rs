@@ -34,11 +34,6 @@ pub(crate) fn logarithms(numbers: &mut [f64]) {
     );
 }
 
-/// One logarithm, with the same bits.
-pub(crate) fn logarithm_of(x: f64) -> f64 {
-    if are_normal(&[x]) { logarithm(x) } else { x.ln() }
-}
-
 /// Replaces each number `x >= 0` by `ln(1 + x)`, to 2 units in the last place.
 pub(crate) fn logarithms_of_one_and(numbers: &mut [f64]) {
     let is_large = numbers.iter().any(|x| !(0.0..=LARGE).contains(x));
