@@ -98,7 +98,10 @@ impl SincSolution {
     pub fn integral_of(&self, u: impl FnOnce(&[f64], &mut [f64])) -> f64 {
         let mut values = vec![0.0; self.masses.len()];
         u(self.mesh.positions(), &mut values);
-        values.iter().zip(&self.masses).map(|(value, mass)| value * mass).sum()
+        vectorised(
+            #[inline(always)]
+            || dot(&values, &self.masses),
+        )
     }
 
     /// `phi(x)` for `x` in the closed interval, given `f(x)`; points outside, and those in a gap between panels, count as the nearer end.
