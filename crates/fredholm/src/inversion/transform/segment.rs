@@ -18,6 +18,8 @@ const LENGTHS: f64 = 1024.0;
 const SHORT: f64 = 1e-5;
 /// Beside a bend that has another next to it, or the axis, panels are this many times as long as they are away from there (survey).
 const LONGER: f64 = 4.0;
+/// Up to this share of the radius a bend counts as next to the axis (survey).
+const NEXT_TO_AXIS: f64 = 0.1;
 /// Longest share of a segment that a bend may shape alone: sixteen times as far is inside, too (theory).
 const LONGEST_START: f64 = 1.0 / 16.0;
 /// A first panel shorter than this share of its segment is there for a bend (survey).
@@ -142,7 +144,7 @@ impl Segment {
             let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
             // Slopes of short panels blow up what they miss: beside a bend that lies next to the axis G is to be known as under a paraboloid, however small it is there.
             let beyond = if ends[0] > 0.0 { ends[0].hypot(panel.ends[1]) } else { radius };
-            let share = (beyond / radius).min(1.0);
+            let share = (beyond / (NEXT_TO_AXIS * radius)).min(1.0);
             let size = largest(&panel.values).max(share * share * size).min(size);
             let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
             let [before, whole] = panel.before;
