@@ -107,7 +107,7 @@ pub enum Error {
 
     /// The search for an answer took more work than one may that has no limit of time.
     #[error(
-        "no answer was found with as much work as takes about five seconds: a `time_limit` (--time-limit) of your own in its place, such as \"1 min\", allows more; or resolve what the profile shows by fewer kinks, steps or measured points"
+        "no answer was found with the work that a search does by itself, a few seconds of it: a `time_limit` (--time-limit) of your own in its place, such as \"1 min\", allows more; or resolve what the profile shows by fewer kinks, steps or measured points"
     )]
     WorkLimit,
 
