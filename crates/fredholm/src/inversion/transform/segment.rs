@@ -129,9 +129,10 @@ impl Segment {
             let tail = largest(&values[ORDER - 2..]);
             Sampled { ends: own, values, blur, depth, tail, before }
         };
-        // G is shaped by what lies apart from the bend, on panels that are no longer than so far away from there.
+        // G is shaped by what lies apart from the bend, but for rounding of the whole, on panels that are as long as they are away from there.
         let length = leg(ends[1], ends[0]);
-        let cuts = std::iter::successors(Some(apart), |cut| Some(LONGER * cut));
+        let nearest = apart.max(f64::EPSILON * length);
+        let cuts = std::iter::successors(Some(nearest), |cut| Some(LONGER * cut));
         let cuts: Vec<f64> = cuts.take_while(|cut| LONGER * cut < length).collect();
         let begins = std::iter::once(0.0).chain(cuts.iter().copied());
         let first = begins.zip(cuts.iter().copied().chain([length]));
