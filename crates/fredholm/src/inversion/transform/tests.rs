@@ -7,6 +7,21 @@ use super::segment::leg;
 use super::steps::{STEP, stepwise, stepwise_at_nodes};
 use super::*;
 
+/// A base of revolution with bends, on ground of an exponent.
+fn shape<'p>(slope: &'p dyn Fn(f64) -> f64, breaks: Vec<f64>, exponent: f64) -> Shape<'p> {
+    Shape {
+        slope,
+        breaks,
+        joints: Vec::new(),
+        tolerance: 0.0,
+        noise: 0.0,
+        remote: 0.0,
+        powers: Powers::new(exponent).unwrap(),
+        part: Symmetry::Revolution,
+        is_over: &|| false,
+    }
+}
+
 #[test]
 fn polynomials_are_integrated_however_close_to_the_axis() {
     // I_k = int_r^1 s^k ds/sqrt(s^2 - r^2): k I_k = sqrt(1 - r^2) + (k-1) r^2 I_(k-2)
@@ -59,17 +74,7 @@ fn slopes_of_few_digits_are_not_halved_for() {
             asked.set(asked.get() + 1);
             2.0 * (r - bend).max(0.0)
         };
-        let shape = Shape {
-            slope: &slope,
-            breaks: vec![bend],
-            joints: Vec::new(),
-            tolerance: 0.0,
-            noise: 0.0,
-            remote: 0.0,
-            powers: Powers::new(0.0).unwrap(),
-            part: Symmetry::Revolution,
-            is_over: &|| false,
-        };
+        let shape = shape(&slope, vec![bend], 0.0);
         let radius = bend + far;
         AbelTransform::new(&shape, radius);
         assert!(asked.get() < 40_000, "{far}: {}", asked.get());
@@ -88,17 +93,7 @@ fn a_part_of_a_transform_is_the_transform_of_a_part() {
         let kink = breaks.first().copied();
         let slope =
             |r: f64| (3.0 * r).sin() + if kink.is_some_and(|at| r > at) { 1.0 } else { 0.0 };
-        let shape = Shape {
-            slope: &slope,
-            breaks,
-            joints: Vec::new(),
-            tolerance: 0.0,
-            noise: 0.0,
-            remote: 0.0,
-            powers: Powers::new(mu).unwrap(),
-            part: Symmetry::Revolution,
-            is_over: &|| false,
-        };
+        let shape = shape(&slope, breaks, mu);
         let whole = AbelTransform::new(&shape, 1.0);
         for radius in [0.2, 0.3, 0.55, 1.0] {
             let own = AbelTransform::new(&shape, radius);
@@ -128,17 +123,7 @@ fn a_bend_beside_the_middle_has_no_cusp() {
                     let bent = (3.0 * r).sin() + 3.0 * (r - bend).max(0.0);
                     if part == Symmetry::Odd { bent + 1.0 - r } else { bent }
                 };
-                let shape = Shape {
-                    slope: &slope,
-                    breaks: vec![bend],
-                    joints: Vec::new(),
-                    tolerance: 0.0,
-                    noise: 0.0,
-                    remote: 0.0,
-                    powers: Powers::new(mu).unwrap(),
-                    part,
-                    is_over: &|| false,
-                };
+                let shape = Shape { part, ..shape(&slope, vec![bend], mu) };
                 let found = AbelTransform::new(&shape, 1.0);
                 // Both sides together, as the pressure may rise from one to the other.
                 let both = |share: f64| {
@@ -240,18 +225,7 @@ fn beside_a_bend_it_is_as_exact_as_stated() {
             beyond if beyond > 0.0 => n * beyond.powf(n - 1.0),
             _ => 0.0,
         };
-        let (breaks, joints) = (vec![0.3], Vec::new());
-        let shape = Shape {
-            slope: &slope,
-            breaks,
-            joints,
-            tolerance: 0.0,
-            noise: 0.0,
-            remote: 0.0,
-            powers: Powers::new(mu).unwrap(),
-            part: Symmetry::Revolution,
-            is_over: &|| false,
-        };
+        let shape = shape(&slope, vec![0.3], mu);
         let transform = AbelTransform::new(&shape, 1.0);
         let error = transform.bend_error();
         assert!(error < 1e-6, "{mu} {n}: {error:e}");
@@ -407,18 +381,7 @@ fn beside_bends_of_many_powers_it_is_as_exact_as_stated() {
             beyond if beyond > 0.0 => n * beyond.powf(n - 1.0),
             _ => 0.0,
         };
-        let (breaks, joints) = (vec![b], Vec::new());
-        let shape = Shape {
-            slope: &slope,
-            breaks,
-            joints,
-            tolerance: 0.0,
-            noise: 0.0,
-            remote: 0.0,
-            powers: Powers::new(mu).unwrap(),
-            part: Symmetry::Revolution,
-            is_over: &|| false,
-        };
+        let shape = shape(&slope, vec![b], mu);
         let transform = AbelTransform::new(&shape, 1.0);
         let error = transform.bend_error();
         // The lower the power the less is known of it.
@@ -440,17 +403,7 @@ fn a_bend_that_is_felt_on_both_sides_is_as_exact_as_stated() {
     for (mu, n) in [(0.5f64, 1.1f64), (0.3, 1.3), (0.0, 1.5), (0.1, 1.9)] {
         let slope = |r: f64| 0.2 * r + n * (r - bend).abs().powf(n - 1.0) * (r - bend).signum();
         let of = |tolerance: f64| {
-            let shape = Shape {
-                slope: &slope,
-                breaks: vec![bend],
-                joints: Vec::new(),
-                tolerance,
-                noise: 0.0,
-                remote: 0.0,
-                powers: Powers::new(mu).unwrap(),
-                part: Symmetry::Revolution,
-                is_over: &|| false,
-            };
+            let shape = Shape { tolerance, ..shape(&slope, vec![bend], mu) };
             AbelTransform::new(&shape, 1.0)
         };
         let best = of(0.0);
@@ -469,17 +422,7 @@ fn a_bend_that_is_felt_on_both_sides_is_as_exact_as_stated() {
 /// `max(0, r - b)^2` for each bend, up to the radius.
 fn squares(bends: &[f64], radius: f64) -> AbelTransform {
     let slope = |r: f64| bends.iter().map(|bend| 2.0 * (r - bend).max(0.0)).sum();
-    let shape = Shape {
-        slope: &slope,
-        breaks: bends.to_vec(),
-        joints: Vec::new(),
-        tolerance: 0.0,
-        noise: 0.0,
-        remote: 0.0,
-        powers: Powers::new(0.0).unwrap(),
-        part: Symmetry::Revolution,
-        is_over: &|| false,
-    };
+    let shape = shape(&slope, bends.to_vec(), 0.0);
     AbelTransform::new(&shape, radius)
 }
 
