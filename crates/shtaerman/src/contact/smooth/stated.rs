@@ -47,8 +47,8 @@ pub(super) fn estimate<F: FirstKind>(
             edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
             let of_level = level.as_ref().map_or(0.0, |level| level.density(j, side).value);
             let around = if is_disk { 2.0 * PI * at } else { 1.0 };
-            let intensity = solved.intensity(j, side);
-            moved += around * (intensity * density).powi(2) * (of_level / here.fall).abs();
+            let strength = around * (solved.intensity(j, side) * density).powi(2);
+            moved += (strength * of_level / here.fall).abs().max(0.0); // 0/0 where nothing is left.
         }
         pressure = pressure.max(changed + own + left);
     }
