@@ -3,11 +3,12 @@
 use crate::bound::{modelled, resample, scale};
 use crate::density::Density;
 use crate::distance::narrow_potential;
+use crate::effort::Effort;
 use crate::kernel::Kernel;
 use crate::layer;
 use crate::norms::mass;
 use crate::open::free_ends;
-use crate::problem::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal};
+use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
 use crate::sampled::{Field, Seen, cover};
@@ -35,9 +36,9 @@ pub fn audit_bent(
 ) -> Result<Bound, Refusal> {
     let scale = scale(kappa, answer)?;
     let base = modelled(problem, scale.powf(kappa));
-    let joints = problem.cuts;
+    let (joints, effort) = (problem.cuts, Effort::new(problem.cuts));
     let problem = &Problem { profile: &base, cuts: base.cuts(), ..*problem };
-    let panels = resample(problem, joints, (kappa, scale), answer)?;
+    let panels = resample(problem, (joints, &effort), (kappa, scale), answer)?;
     let shape = Shape::new(&panels, problem.is_bilateral);
     let density = Density::new(problem.kernel, panels);
     let mut audit =
@@ -47,11 +48,11 @@ pub fn audit_bent(
     let (mut zones, mut gaps) = (Vec::new(), Vec::new());
     let refused = |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
     for panel in &audit.density.panels {
-        cover(&audit, [panel.left, panel.right], true, MOST_WINDOWS, &mut zones)
+        cover(&audit, [panel.left, panel.right], true, effort.looks, &mut zones)
             .map_err(refused)?;
     }
     for gap in audit.gaps() {
-        cover(&audit, gap, false, MOST_WINDOWS, &mut gaps).map_err(refused)?;
+        cover(&audit, gap, false, effort.looks, &mut gaps).map_err(refused)?;
     }
     Ok(audit.stated(stiffness, &zones, &gaps))
 }
@@ -88,6 +89,10 @@ impl Field for Audit<'_> {
         let scaled = problem.scaled * (problem.theta * potential.abs() + given);
         let noise = problem.theta * (rounding + self.misfit) + 0.5 * (high - low);
         (value, noise + UNIT * size + scaled)
+    }
+
+    fn looks(&self) -> u64 {
+        self.density.looks()
     }
 
     fn profile(&self) -> Option<&dyn Profile> {

@@ -6,6 +6,7 @@ use crate::allowance::{allowance, unit};
 use crate::density::Density;
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::effort::Effort;
 use crate::grading::{Cuts, Limits, panels};
 use crate::ground::Raised;
 use crate::highest::highest;
@@ -13,7 +14,7 @@ use crate::layer;
 use crate::modelled::Modelled;
 use crate::norms::Reach;
 use crate::panel::Panel;
-use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Problem, Refusal};
+use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::residual::{Bounded, Residual};
 use crate::sample::{compared, halves};
@@ -64,8 +65,9 @@ fn audit_on(
     let scale = scale(1.0, answer)?;
     let base = modelled(problem, scale);
     let posed = Problem { profile: &base, cuts: base.cuts(), ..*problem };
-    let panels = resample(&posed, problem.cuts, (1.0, scale), answer)?;
-    bound(&posed, answer, &changed(panels))
+    let effort = Effort::new(problem.cuts);
+    let panels = resample(&posed, (problem.cuts, &effort), (1.0, scale), answer)?;
+    bound(&posed, answer, &changed(panels), &effort)
 }
 
 /// The base of a problem by polynomials, for a layer in which a pressure of this size gives as much.
@@ -73,7 +75,12 @@ pub(crate) fn modelled<'a>(problem: &Problem<'a>, scale: f64) -> Modelled<'a> {
     Modelled::new(problem.profile, problem.pieces, problem.cuts, scale * unit(problem.theta))
 }
 
-fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
+fn bound(
+    problem: &Problem<'_>,
+    answer: &Answer<'_>,
+    sampled: &[Panel],
+    effort: &Effort,
+) -> Result<Bound, Refusal> {
     let (sampled, shape) = restored(problem, sampled)?;
     let density = Density::new(problem.kernel, sampled);
     let raised = (problem.ground)
@@ -82,7 +89,7 @@ fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Resul
     let (settlement, tilt) = (answer.settlement, answer.tilt);
     let mut audit = Audit { problem, profile, answer, density, shape, settlement, tilt };
     audit.settle();
-    audit.bound()
+    audit.bound(effort)
 }
 
 /// The size of the pressure of an answer in a layer `p^kappa`.
@@ -103,7 +110,7 @@ pub(crate) fn scale(kappa: f64, answer: &Answer<'_>) -> Result<f64, Refusal> {
 /// Panels of the pressure on all zones, of this size, in a layer `p^kappa`; `joints` are places where they are cut, whether the base is smooth there or not.
 pub(crate) fn resample(
     problem: &Problem<'_>,
-    joints: &[f64],
+    (joints, effort): (&[f64], &Effort),
     (kappa, scale): (f64, f64),
     answer: &Answer<'_>,
 ) -> Result<Vec<Panel>, Refusal> {
@@ -116,7 +123,7 @@ pub(crate) fn resample(
     let cuts = Cuts { all: joints, bent: problem.cuts };
     let mut found = Vec::new();
     for zone in answer.zones {
-        let is_done = panels(answer.pressure, *zone, &cuts, &limits, MOST_PANELS, &mut found);
+        let is_done = panels(answer.pressure, *zone, &cuts, &limits, effort.panels, &mut found);
         if !is_done {
             return Err(Refusal::TooManyPanels);
         }
@@ -249,16 +256,16 @@ impl Audit<'_> {
         gaps
     }
 
-    fn bound(&self) -> Result<Bound, Refusal> {
+    fn bound(&self, effort: &Effort) -> Result<Bound, Refusal> {
         let residual = self.residual();
         let (mut zones, mut gaps) = (Vec::new(), Vec::new());
         let refused =
             |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
         for zone in self.answer.zones {
-            residual.in_zone(*zone, MOST_WINDOWS, &mut zones).map_err(refused)?;
+            residual.in_zone(*zone, effort.looks, &mut zones).map_err(refused)?;
         }
         for gap in self.gaps() {
-            residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
+            residual.beside_zones(gap, effort.looks, &mut gaps).map_err(refused)?;
         }
         let wide = zones.iter().chain(&gaps).filter(|window| !window.is_narrow);
         let others = wide.fold(0.0f64, |most, window| most.max(window.at_numbers));

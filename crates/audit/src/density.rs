@@ -1,5 +1,7 @@
 //! The density whose error is bounded, a polynomial on each panel, and its potential.
 
+use std::cell::Cell;
+
 use crate::allowance::UNIT;
 use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR};
@@ -28,6 +30,7 @@ pub(crate) struct Density {
     scales: Vec<f64>,
     /// Of a row.
     regular: Regular,
+    looks: Cell<u64>,
 }
 
 impl Density {
@@ -42,7 +45,8 @@ impl Density {
         let recurrence = Recurrence::new(kernel.singularity());
         let scales = panels.iter().map(|panel| recurrence.scale(panel.half())).collect();
         let clusters = Vec::with_capacity(2 * panels.len());
-        let mut density = Self { kernel, panels, clusters, recurrence, scales, regular };
+        let mut density =
+            Self { kernel, panels, clusters, recurrence, scales, regular, looks: Cell::new(0) };
         if !density.panels.is_empty() {
             density.gather([0, density.panels.len()]);
         }
@@ -59,6 +63,11 @@ impl Density {
         let cluster = Cluster::new(&self.panels, [first, last], parts, self.kernel.singularity());
         self.clusters.push(cluster);
         self.clusters.len() - 1
+    }
+
+    /// How often a panel, or several together, were looked at from places that lie together.
+    pub(crate) fn looks(&self) -> u64 {
+        self.looks.get()
     }
 
     /// The largest size.
@@ -178,9 +187,10 @@ impl Density {
         let total = root.mass;
         let mut stack = [0; DEPTH];
         stack[0] = self.clusters.len() - 1;
-        let mut count = 1;
+        let (mut count, mut looks) = (1, 0);
         while count > 0 {
             count -= 1;
+            looks += 1;
             let cluster = &self.clusters[stack[count]];
             let distance = (first - cluster.centre).max(cluster.centre - last);
             let [values, roundings] = if distance >= FAR * cluster.radius {
@@ -194,6 +204,7 @@ impl Density {
             };
             sums.add(sign, &values, &roundings);
         }
+        self.looks.set(self.looks.get() + looks);
     }
 
     /// Potentials of a single panel, of which some places of those that are longer together than it may be far.

@@ -43,38 +43,53 @@ impl Heights<'_> {
     /// What interpolation at so many Chebyshev nodes misses; not looked into further where it is at most `wanted`.
     pub(crate) fn missed(&mut self, count: usize, wanted: f64) -> f64 {
         let r = 0.5 * (self.window[1] - self.window[0]);
-        let on = |bounds: &Vec<f64>| missed(bounds, r, count);
-        let known = self.intervals.iter().filter_map(|(_, bounds)| bounds.as_ref().map(on));
-        let mut known = known.fold(f64::INFINITY, f64::min);
         let own = self.intervals.len() - 1;
         let mut next = self.intervals.iter().rposition(|(_, bounds)| bounds.is_some());
+        let mut known = next.map_or(f64::INFINITY, |index| self.missed_on(index, r, count));
+        let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
         while known > wanted && next != Some(own) {
             let index = next.map_or(0, |index| (index + HALVINGS).min(own));
-            let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
-            let bounds = self.profile.taylor_bounds(self.intervals[index].0, order);
-            known = known.min(on(&bounds));
-            self.intervals[index].1 = Some(bounds);
+            self.ask(index, order, next);
+            known = self.missed_on(index, r, count);
             next = Some(index);
         }
-        if known > wanted
-            && self.intervals[own].1.as_ref().is_some_and(|bounds| bounds.len() <= count)
-        {
-            let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
-            let bounds = self.profile.taylor_bounds(self.window, order);
-            known = known.min(on(&bounds));
-            self.intervals[own].1 = Some(bounds);
+        let is_short = |bounds: &Vec<f64>| bounds.len() <= count;
+        if known > wanted && self.intervals[own].1.as_ref().is_some_and(is_short) {
+            self.ask(own, order, Some(own));
+            known = self.missed_on(own, r, count);
         }
         known
+    }
+
+    /// Asks for bounds on an interval; those of a larger one hold on it as well.
+    fn ask(&mut self, index: usize, order: usize, before: Option<usize>) {
+        let mut bounds = self.profile.taylor_bounds(self.intervals[index].0, order);
+        if let Some(larger) = before.and_then(|before| self.intervals[before].1.as_ref()) {
+            bounds.extend(larger.iter().skip(bounds.len()));
+            for (bound, other) in bounds.iter_mut().zip(larger) {
+                *bound = bound.min(*other);
+            }
+        }
+        self.intervals[index].1 = Some(bounds);
+    }
+
+    fn missed_on(&self, index: usize, r: f64, count: usize) -> f64 {
+        self.intervals[index].1.as_ref().map_or(f64::INFINITY, |bounds| missed(bounds, r, count))
     }
 }
 
 /// At `n` Chebyshev nodes `f^(n)/n! 2 (r/2)^n`; or what fewer miss, times one more than Lebesgue's constant.
 fn missed(bounds: &[f64], r: f64, count: usize) -> f64 {
-    let missed = |n: usize| {
-        let bound = bounds.get(n).copied().unwrap_or(f64::INFINITY);
-        // No product of zero and infinity.
-        if bound == 0.0 { 0.0 } else { 2.0 * (0.5 * r).powi(n as i32) * bound }
-    };
-    let fewer = (2..count).map(missed).fold(f64::INFINITY, f64::min);
-    missed(count).min((1.0 + lebesgue(count)) * fewer)
+    let (mut power, mut fewer) = (0.5 * r * r, f64::INFINITY);
+    for n in 2..count {
+        fewer = fewer.min(share(bounds, n, power));
+        power *= 0.5 * r;
+    }
+    share(bounds, count, power).min((1.0 + lebesgue(count)) * fewer)
+}
+
+fn share(bounds: &[f64], n: usize, power: f64) -> f64 {
+    let bound = bounds.get(n).copied().unwrap_or(f64::INFINITY);
+    // No product of zero and infinity.
+    if bound == 0.0 { 0.0 } else { power * bound }
 }

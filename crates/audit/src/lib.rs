@@ -21,6 +21,7 @@ mod disk;
 mod displacements;
 mod distance;
 mod double;
+mod effort;
 mod elementary;
 mod ends;
 mod far;

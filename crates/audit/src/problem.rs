@@ -4,9 +4,6 @@ use crate::ground::Ground;
 use crate::kernel::Kernel;
 use crate::profile::Profile;
 
-/// Most panels and windows: beyond them an answer is not audited.
-pub(crate) const MOST_PANELS: usize = 60_000;
-pub(crate) const MOST_WINDOWS: usize = 50_000;
 /// What the load prescribes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Prescribed {

@@ -107,7 +107,7 @@ impl Residual<'_> {
     pub(crate) fn in_zone(
         &self,
         zone: [f64; 2],
-        most: usize,
+        most: u64,
         found: &mut Vec<Bounded>,
     ) -> Result<(), TooManyWindows> {
         let mut known = Known::default();
@@ -118,7 +118,7 @@ impl Residual<'_> {
     pub(crate) fn beside_zones(
         &self,
         gap: [f64; 2],
-        most: usize,
+        most: u64,
         found: &mut Vec<Bounded>,
     ) -> Result<(), TooManyWindows> {
         let mut known = Known::default();
@@ -128,7 +128,7 @@ impl Residual<'_> {
     fn cover(
         &self,
         whole: [f64; 2],
-        most: usize,
+        most: u64,
         found: &mut Vec<Bounded>,
         bound: &mut dyn FnMut([f64; 2]) -> Option<Bounded>,
     ) -> Result<(), TooManyWindows> {
@@ -147,7 +147,7 @@ impl Residual<'_> {
                 stack.push(Open { left: middle, right, is_end: [false, is_end[1]] });
                 stack.push(Open { left, right: middle, is_end: [is_end[0], false] });
             }
-            if found.len() + stack.len() > most {
+            if self.density.looks() > most {
                 return Err(TooManyWindows { at: middle });
             }
         }

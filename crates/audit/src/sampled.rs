@@ -20,6 +20,9 @@ pub(crate) trait Field {
     /// `w(x)` and what its rounding may be.
     fn residual(&self, x: f64) -> (f64, f64);
 
+    /// How often its density was looked at.
+    fn looks(&self) -> u64;
+
     /// The profile in it, where it has one.
     fn profile(&self) -> Option<&dyn Profile>;
 }
@@ -56,12 +59,12 @@ pub(crate) fn largest(seen: &[Seen], softest: f64, potential: impl Fn(f64) -> f6
     whole.min(bulk + narrow)
 }
 
-/// Windows that cover an interval in a zone or beside zones.
+/// Windows that cover an interval in a zone or beside zones, with so many looks at the density in all.
 pub(crate) fn cover(
     field: &impl Field,
     whole: [f64; 2],
     is_zone: bool,
-    most: usize,
+    most: u64,
     found: &mut Vec<Seen>,
 ) -> Result<(), TooManyWindows> {
     let mut stack = vec![whole];
@@ -78,7 +81,7 @@ pub(crate) fn cover(
             stack.push([middle, right]);
             stack.push([left, middle]);
         }
-        if found.len() + stack.len() > most {
+        if field.looks() > most {
             return Err(TooManyWindows { at: middle });
         }
     }

@@ -16,13 +16,20 @@ pub(crate) mod work {
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 1.5;
+    /// Of a system on cells for each cube: the definite way is tried before the general one, and memory is asked for anew.
+    pub(crate) const CELLS: f64 = 1.6;
+    /// Of what a place does to another on a rough surface, and where it is a ring on a layered body, of which the potential counts as well.
+    pub(crate) const ENTRY: f64 = 500.0;
+    pub(crate) const LAYERED_RING: f64 = 20_000.0;
+    /// So many times the cube of the modes of a zone for what it does to itself and to another.
+    pub(crate) const MODES: f64 = 8.0;
     /// Of what a node of a ring does to another on a smooth surface.
     pub(crate) const RINGS: f64 = 6000.0;
     /// Of a term of a sum for the pressure of a smooth surface, or for its displacement, at a place where it is looked at.
     pub(crate) const TERM: f64 = 100.0;
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
-    pub(crate) const SLOPE: f64 = 2000.0;
-    pub(crate) const DERIVATIVE: f64 = 8000.0;
+    pub(crate) const SLOPE: f64 = 3200.0;
+    pub(crate) const DERIVATIVE: f64 = 11_000.0;
     /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
     pub(crate) const DERIVATIVES: u32 = 20_000;
 }

@@ -161,6 +161,10 @@ impl Field for Part<'_> {
         (value, noise + 0.5 * (high - low) + UNIT * size + scaled)
     }
 
+    fn looks(&self) -> u64 {
+        self.density.looks()
+    }
+
     fn profile(&self) -> Option<&dyn Profile> {
         self.profile
     }

@@ -58,28 +58,17 @@ impl Harmonic {
     }
 
     /// `K_m(r, s)` at the distance `d = |r - s| > 0`.
+    #[cfg(test)]
     pub(crate) fn value(&self, r: f64, s: f64, d: f64) -> f64 {
         if self.exponent > 0.0 {
             let [value] = self.graded(r, &[s], &[d]);
             return value;
         }
-        let sum = r + s;
         if self.order == 0 {
-            return PI / mean(sum, d);
+            return PI / means([r + s; ORDER], [d; ORDER])[0];
         }
-        // (4 K/(sigma m)) sum 2^(n-1) c_n^2 with the complete integral K of the parameter m = 4 r s/sigma^2 and the differences c_n of the means.
-        let (mut a, mut b) = (sum, d);
-        // Half the difference of a and b, without cancellation.
-        let mut c = r.min(s);
-        let (mut parts, mut weight) = (0.0, 1.0);
-        while c > 1e-9 * a {
-            parts += weight * c * c;
-            weight *= 2.0;
-            (a, b) = (0.5 * (a + b), (a * b).sqrt());
-            c = c * c / (2.0 * (a + b));
-        }
-        let product = r * s;
-        if product == 0.0 { 0.0 } else { 0.5 * PI / (0.5 * (a + b)) * parts / product }
+        let [value] = turning(r, [s], [d]);
+        value
     }
 
     /// The same of many `s` at once.
@@ -92,7 +81,19 @@ impl Harmonic {
                 || self.graded(r, s, d),
             )
         } else {
-            std::array::from_fn(|j| self.value(r, s[j], d[j]))
+            vectorised(
+                #[inline(always)]
+                || {
+                    let mut found = [0.0; ORDER];
+                    for from in (0..ORDER).step_by(LANES) {
+                        let (mut own, mut apart) = ([0.0; LANES], [0.0; LANES]);
+                        own.copy_from_slice(&s[from..from + LANES]);
+                        apart.copy_from_slice(&d[from..from + LANES]);
+                        found[from..from + LANES].copy_from_slice(&turning(r, own, apart));
+                    }
+                    found
+                },
+            )
         }
     }
 
@@ -230,15 +231,7 @@ pub(super) fn mass(mu: f64) -> f64 {
     PI * 2f64.powf(mu) * gamma(0.5 * (1.0 + mu)) / gamma(0.5 * (1.0 - mu)) / (1.0 - mu)
 }
 
-/// The arithmetic-geometric mean of Gauss.
-fn mean(mut a: f64, mut b: f64) -> f64 {
-    while (a - b).abs() > 1e-8 * a {
-        (a, b) = (0.5 * (a + b), (a * b).sqrt());
-    }
-    0.5 * (a + b)
-}
-
-/// The same of many numbers, which advance together: their roots do not wait for each other.
+/// Gauss's arithmetic-geometric means of many numbers, which advance together: their roots do not wait for each other.
 fn means(a: [f64; ORDER], b: [f64; ORDER]) -> [f64; ORDER] {
     let mut found = [0.0; ORDER];
     vectorised(
@@ -265,6 +258,33 @@ fn means(a: [f64; ORDER], b: [f64; ORDER]) -> [f64; ORDER] {
         },
     );
     found
+}
+
+/// The first harmonic on homogeneous ground: `(4 K/(sigma m)) sum 2^(n-1) c_n^2` with the complete integral `K` of the parameter `m = 4 r s/sigma^2`, `sigma = r + s`, and half the differences `c_n` of
+/// Gauss's means, which are found without cancellation.
+#[inline(always)]
+fn turning<const N: usize>(r: f64, s: [f64; N], d: [f64; N]) -> [f64; N] {
+    let (mut a, mut b, mut c) = (s.map(|s| r + s), d, s.map(|s| r.min(s)));
+    let (mut parts, mut weight) = ([0.0; N], 1.0);
+    for _ in 0..STEPS {
+        let mut apart = [false; N];
+        for i in 0..N {
+            apart[i] = c[i] > 1e-9 * a[i];
+            parts[i] += weight * (c[i] * c[i]);
+            let (sum, product) = (a[i] + b[i], a[i] * b[i]);
+            a[i] = 0.5 * sum;
+            b[i] = product.sqrt();
+            c[i] = c[i] * c[i] / (2.0 * (a[i] + b[i]));
+        }
+        if apart == [false; N] {
+            break;
+        }
+        weight *= 2.0;
+    }
+    std::array::from_fn(|i| {
+        let product = r * s[i];
+        if product == 0.0 { 0.0 } else { PI / (a[i] + b[i]) * parts[i] / product }
+    })
 }
 
 /// `2F1(a, b; c; z)`, `0 <= z < 1`.

@@ -12,12 +12,13 @@ mod tree;
 
 use crate::allowance::unit;
 use crate::bound::{known, scale};
+use crate::effort::Effort;
 use crate::grading::{Cuts, Limits, panels};
 use crate::layer;
 use crate::modelled::Modelled;
 use crate::open::free_ends;
 use crate::panel::Panel;
-use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
+use crate::problem::{Answer, Bound, Prescribed, Refusal};
 use crate::profile::Profile;
 use crate::sampled::{Seen, cover, largest};
 use field::{Part, Resampled};
@@ -79,6 +80,7 @@ struct Audit<'a> {
     lean: Option<Part<'a>>,
     /// What `q` was taken times and more to have its force and moment.
     panels: usize,
+    effort: Effort,
 }
 
 /// What was seen of a part.
@@ -114,34 +116,36 @@ impl<'a> Audit<'a> {
         let level = move |r: f64| {
             if is_tilted { 0.5 * (pressure(r) + pressure(-r)) } else { pressure(r) }
         };
-        let level = Self::resampled((problem, joints), &zones, 0, Box::new(level))?;
+        let whole = scale(1.0, answer)?;
+        let level = Self::resampled((problem, joints), (&zones, whole), 0, Box::new(level))?;
         let lean = if is_tilted {
             let lean = move |r: f64| 0.5 * (pressure(r) - pressure(-r));
-            Some(Self::resampled((problem, joints), &zones, 1, Box::new(lean))?)
+            Some(Self::resampled((problem, joints), (&zones, whole), 1, Box::new(lean))?)
         } else {
             None
         };
         let panels = level.density.panels().len()
             + lean.as_ref().map_or(0, |lean| lean.density.panels().len());
         let level = Part::new(problem, level, [answer.settlement, 0.0], Some(problem.profile), 0.0);
-        let rounding = SUMMED * UNIT * (answer.settlement.abs() + scale(1.0, answer)?);
+        let rounding = SUMMED * UNIT * (answer.settlement.abs() + whole);
         let lean = lean.map(|lean| Part::new(problem, lean, [0.0, answer.tilt], None, rounding));
-        let mut audit = Self { problem, answer, zones, level, lean, panels };
+        let mut audit =
+            Self { problem, answer, zones, level, lean, panels, effort: Effort::new(joints) };
         audit.settle();
         Ok(audit)
     }
 
-    /// A harmonic on panels, with force or moment as prescribed.
+    /// A harmonic of a pressure of the size `whole` on panels, with force or moment as prescribed.
     fn resampled(
         (problem, joints): (&DiskProblem<'_>, &[f64]),
-        zones: &[[f64; 2]],
+        (zones, whole): (&[[f64; 2]], f64),
         order: u32,
         density: Box<dyn Fn(f64) -> f64 + 'a>,
     ) -> Result<Resampled<'a>, Refusal> {
         let Prescribed { force, moment } = problem.prescribed;
         let kernel = Harmonic::new(order, problem.exponent);
         let resampled =
-            |density: &dyn Fn(f64) -> f64| Self::panels((problem, joints), zones, density);
+            |density: &dyn Fn(f64) -> f64| Self::panels((problem, joints), (zones, whole), density);
         let found = Radial::new(kernel.clone(), problem.exponent, resampled(&*density)?);
         let (given, own) = if order == 0 {
             (force, std::f64::consts::TAU * found.integral(|_| 1.0))
@@ -183,15 +187,17 @@ impl<'a> Audit<'a> {
 
     fn panels(
         (problem, joints): (&DiskProblem<'_>, &[f64]),
-        zones: &[[f64; 2]],
+        (zones, whole): (&[[f64; 2]], f64),
         density: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Panel>, Refusal> {
-        let scale = (zones.iter())
+        let own = (zones.iter())
             .flat_map(|[left, right]| {
                 (0..32).map(move |i| left + (right - left) * (f64::from(i) + 0.5) / 32.0)
             })
             .map(|r| density(r).abs())
             .fold(0.0, f64::max);
+        // A harmonic is no better known than the pressure that it was taken from.
+        let scale = own.max(whole);
         if !scale.is_finite() || zones.is_empty() {
             return Err(Refusal::NoPressure);
         }
@@ -204,7 +210,7 @@ impl<'a> Audit<'a> {
         let cuts = Cuts { all: joints, bent: problem.cuts };
         let mut found = Vec::new();
         for zone in zones {
-            if !panels(density, *zone, &cuts, &limits, MOST_PANELS, &mut found) {
+            if !panels(density, *zone, &cuts, &limits, Effort::new(joints).panels, &mut found) {
                 return Err(Refusal::TooManyPanels);
             }
         }
@@ -252,15 +258,16 @@ impl<'a> Audit<'a> {
         let (mut zones, mut gaps, mut leans) = (Vec::new(), Vec::new(), Vec::new());
         for panel in self.level.density.panels() {
             let whole = [panel.left, panel.right];
-            cover(&self.level, whole, true, MOST_WINDOWS, &mut zones).map_err(refused)?;
+            cover(&self.level, whole, true, self.effort.looks, &mut zones).map_err(refused)?;
         }
         for gap in self.gaps() {
-            cover(&self.level, gap, false, MOST_WINDOWS, &mut gaps).map_err(refused)?;
+            cover(&self.level, gap, false, self.effort.looks, &mut gaps).map_err(refused)?;
         }
         if let Some(lean) = &self.lean {
+            let most = self.effort.looks.saturating_sub(self.level.density.looks());
             for panel in lean.density.panels() {
                 let whole = [panel.left, panel.right];
-                cover(lean, whole, true, MOST_WINDOWS, &mut leans).map_err(refused)?;
+                cover(lean, whole, true, most, &mut leans).map_err(refused)?;
             }
         }
         let windows = zones.len() + gaps.len() + leans.len();

@@ -1,6 +1,6 @@
 //! Potentials of densities on a disk: from afar by Gauss and Legendre's rule, beside a place by the singularity of the kernel in closed form.
 
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 use super::kernel::Harmonic;
 use super::tree::{Seen, Tree};
@@ -30,6 +30,7 @@ pub(crate) struct Radial {
     recurrence: Recurrence,
     exponent: f64,
     rounding: f64,
+    looks: Cell<u64>,
 }
 
 impl Radial {
@@ -47,7 +48,21 @@ impl Radial {
             if exponent > 0.0 { Singularity::Power(exponent) } else { Singularity::Logarithm };
         let recurrence = Recurrence::new(singularity);
         let rounding = UNIT * kernel.rounding();
-        Self { kernel, panels, masses, tree: OnceCell::new(), recurrence, exponent, rounding }
+        Self {
+            kernel,
+            panels,
+            masses,
+            tree: OnceCell::new(),
+            recurrence,
+            exponent,
+            rounding,
+            looks: Cell::new(0),
+        }
+    }
+
+    /// How often nodes of a panel, or of several together, were looked at from a place.
+    pub(crate) fn looks(&self) -> u64 {
+        self.looks.get()
     }
 
     pub(crate) fn panels(&self) -> &[Panel] {
@@ -77,21 +92,26 @@ impl Radial {
         }
         let mut sums = Sums::default();
         let tree = self.tree.get_or_init(|| Tree::new(&self.panels, &self.masses));
-        tree.see(r, |seen| match seen {
-            Seen::Far(cluster) => {
-                let (nodes, distances, masses) = cluster.seen(r);
-                sums.add_far(masses, &self.kernel.values(r, &nodes, &distances));
-            }
-            Seen::Near(index) => {
-                let panel = &self.panels[index];
-                if panel.right > LONG * panel.left {
-                    self.add_cut(panel, r, &mut sums);
-                } else {
-                    let whole = Part::new(panel.left, panel.right);
-                    self.add_near(&whole, &self.masses[index], r, &mut sums);
+        let mut looks = 0;
+        tree.see(r, |seen| {
+            looks += ORDER as u64;
+            match seen {
+                Seen::Far(cluster) => {
+                    let (nodes, distances, masses) = cluster.seen(r);
+                    sums.add_far(masses, &self.kernel.values(r, &nodes, &distances));
+                }
+                Seen::Near(index) => {
+                    let panel = &self.panels[index];
+                    if panel.right > LONG * panel.left {
+                        self.add_cut(panel, r, &mut sums);
+                    } else {
+                        let whole = Part::new(panel.left, panel.right);
+                        self.add_near(&whole, &self.masses[index], r, &mut sums);
+                    }
                 }
             }
         });
+        self.looks.set(self.looks.get() + looks);
         (sums.value, self.rounding * sums.size + UNIT * sums.rounding)
     }
 

@@ -5,6 +5,8 @@ use crate::linear::{Factored, dot};
 
 /// Most exchanges of the primal-dual method before the safe one takes over: it needs about ten where it converges.
 const MOST_EXCHANGES: usize = 40;
+/// Most steps of the safe one for each component, and some more (survey of 307: one at most; what takes more comes and goes by rounding).
+const MOST_STEPS: [usize; 2] = [3, 100];
 /// A component or multiplier this small, relative to the largest, has no sign.
 const NO_SIGN: f64 = 1e-13;
 
@@ -155,7 +157,7 @@ impl Problem<'_> {
     ) -> Result<ComplementaritySolution, Error> {
         let mut z = feasible.to_vec();
         let mut set: Vec<bool> = z.iter().map(|z| *z > 0.0).collect();
-        let most = 20 * self.matrix.order + 100;
+        let most = MOST_STEPS[0] * self.matrix.order + MOST_STEPS[1];
         let mut left = f64::INFINITY;
         for iterations in 1..=most {
             let Some(Restricted { values, multipliers }) = self.restricted(&set)? else { break };

@@ -4,7 +4,7 @@ use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condit
 
 use super::super::accuracy::STAGNANT;
 use super::{Cell, Cells};
-use crate::deadline::Deadline;
+use crate::deadline::{Deadline, work};
 use crate::line_search::STEPS;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -68,7 +68,7 @@ impl Loaded {
         theta: f64,
     ) -> Result<ComplementaritySolution, Error> {
         let is_over = |order: usize| {
-            deadline.spend((order as f64).powi(3));
+            deadline.spend(work::CELLS * (order as f64).powi(3));
             deadline.is_past()
         };
         let Self { right, conditions, feasible, .. } = self;

@@ -9,6 +9,7 @@ pub(super) use load::{Loaded, solve_thin};
 
 use super::ground::Ground;
 use super::valleys::{self, CELLS_A_ZONE};
+use crate::deadline::Deadline;
 use crate::line_search::STEPS;
 use crate::{Error, Load};
 
@@ -146,7 +147,7 @@ impl Cells {
     /// Solves with the roots of masses and the matrix of a ground, marks the cells that carry and refines, until every zone has enough of them: the intervals of contact.
     pub(super) fn settled(
         mut self,
-        ground: &dyn Ground,
+        (ground, deadline): (&dyn Ground, &Deadline),
         solve: impl Fn(&Self, Vec<f64>, Vec<f64>) -> Result<Vec<f64>, Error>,
     ) -> Result<Vec<[f64; 2]>, Error> {
         for _ in 0..self.limits.rounds {
@@ -155,7 +156,8 @@ impl Cells {
             let roots = masses.iter().map(|mass| mass.sqrt()).collect();
             let values = solve(&self, roots, matrix)?;
             self.mark(&values);
-            if !self.refine() {
+            deadline.spend(ground.entry() * (places.len() as f64).powi(2));
+            if deadline.is_past() || !self.refine() {
                 break;
             }
         }

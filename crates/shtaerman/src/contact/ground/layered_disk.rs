@@ -11,6 +11,7 @@ use super::disk::Disk;
 use super::shared::layered_disk;
 use super::{Ground, Hull, SharedKernel, half_count_of_layer};
 use super::{KERNEL, STEP};
+use crate::deadline::work;
 use crate::{Error, Layering};
 
 #[derive(Debug)]
@@ -54,6 +55,10 @@ impl Ground for LayeredDisk {
     fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
         let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
         self.whole.mean(left, right) + self.kernel.remainder(middle(right), middle(left))
+    }
+
+    fn entry(&self) -> f64 {
+        work::LAYERED_RING
     }
 
     fn is_disk(&self) -> bool {

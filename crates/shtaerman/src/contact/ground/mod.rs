@@ -33,6 +33,7 @@ use fredholm::kernel::Kernel;
 use fredholm::multipole::PanelKernel;
 
 use crate::Error;
+use crate::deadline::work;
 
 /// A kernel as an answer keeps it.
 pub(in crate::contact) trait KeptKernel: Kernel + Debug + Send + Sync {}
@@ -86,6 +87,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
     /// Whether zones are rings about an axis, `r` in place of `xi`.
     fn is_disk(&self) -> bool {
         false
+    }
+
+    /// What the kernel for two places takes, as work.
+    fn entry(&self) -> f64 {
+        work::ENTRY
     }
 
     /// `mu` of `E ~ y^mu`, and of the singularity of a plane kernel.

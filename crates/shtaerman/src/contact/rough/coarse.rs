@@ -14,10 +14,10 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     let reference = reference_pressure(base, base.pieces.iter().copied());
     let gain = reference / base.layer.displacement(reference);
     let cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |_| base.breaks.clone());
-    cells.settled(base.ground.as_ref(), |cells, roots, matrix| {
+    let deadline = base.problem().deadline();
+    cells.settled((base.ground.as_ref(), deadline), |cells, roots, matrix| {
         let means = cells.means(|places| base.surface.heights(places));
         let loaded = Loaded::new(cells, &roots, load, gain, &means);
-        let (deadline, theta) = (base.problem().deadline(), gain * base.strength());
-        Ok(loaded.solve(deadline, cells, matrix, theta)?.values)
+        Ok(loaded.solve(deadline, cells, matrix, gain * base.strength())?.values)
     })
 }

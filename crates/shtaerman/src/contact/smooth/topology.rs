@@ -19,7 +19,7 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
         let narrow = narrow.flatten().filter(|_| is_few);
         base.breaks.iter().chain(narrow).copied().collect()
     });
-    cells.settled(ground.as_ref(), |cells, roots, mut matrix| {
+    cells.settled((ground.as_ref(), base.deadline()), |cells, roots, mut matrix| {
         let mut strength = theta;
         if is_forced && ground.exponent() > 0.0 && !ground.is_disk() {
             strength *= ground.exponent();

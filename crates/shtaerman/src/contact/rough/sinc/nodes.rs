@@ -135,6 +135,7 @@ impl<'b> SincNodes<'b> {
             xi.clamp(left.next_up(), right.next_down().max(left.next_up()))
         };
         let places: Vec<f64> = operator.places().map(place).collect();
+        base.problem().deadline().spend(ground.entry() * (places.len() as f64).powi(2));
         let heights = base.heights(&places)?;
         let frame = Frame::new(base, hull, ground.gauge(&hull));
         let (zones, locals) = (zones.to_vec(), operator.positions().collect());

@@ -1,0 +1,25 @@
+//! What an audit may take before it gives up.
+
+/// Panels of a pressure, and as many more for each place where it may bend (survey: of 12,000 random problems the audits that came to an end took 341 at most, traces one or two a point).
+const PANELS: [usize; 2] = [4_000, 12];
+/// Looks at panels, likewise.
+const LOOKS: [u64; 2] = [5_000_000, 2_000];
+/// Of the places where a pressure may bend so many count: what is kept has an end.
+const MOST_CUTS: usize = 20_000;
+
+/// What it may take.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effort {
+    /// Most panels.
+    pub(crate) panels: usize,
+    /// How often what lies on a panel, or on several together, may be looked at from some places.
+    pub(crate) looks: u64,
+}
+
+impl Effort {
+    /// For a pressure that may bend at these places.
+    pub(crate) fn new(cuts: &[f64]) -> Self {
+        let count = cuts.len().min(MOST_CUTS);
+        Self { panels: PANELS[0] + PANELS[1] * count, looks: LOOKS[0] + LOOKS[1] * count as u64 }
+    }
+}
