@@ -48,6 +48,7 @@ pub mod inverse;
 mod layering;
 mod line_search;
 pub mod load;
+mod lower_hull;
 pub mod material;
 mod order;
 pub mod paper;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::function::Function;
+use super::resolved::Resolved;
 use super::spline::Spline;
 use crate::Error;
 use crate::error::require;
@@ -36,6 +37,7 @@ const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     pub(super) shape: Shape,
+    pub(super) resolved: Resolved,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -47,10 +49,14 @@ pub(super) enum Shape {
 }
 
 impl Profile {
+    pub(super) fn of(shape: Shape) -> Self {
+        Self { shape, resolved: Resolved::default() }
+    }
+
     /// `f = 0`.
     #[must_use]
     pub fn flat() -> Self {
-        Self { shape: Shape::Flat }
+        Self::of(Shape::Flat)
     }
 
     /// An expression in [`VARIABLES`], such as `x^2 / (2*0.8)`: see [`crate::expression`].
@@ -58,7 +64,7 @@ impl Profile {
     /// # Errors
     /// [`ExpressionError`] with the place in the text.
     pub fn expression(text: &str) -> Result<Self, ExpressionError> {
-        Ok(Self { shape: Shape::Expression(Arc::new(Expression::parse(text, &VARIABLES)?)) })
+        Ok(Self::of(Shape::Expression(Arc::new(Expression::parse(text, &VARIABLES)?))))
     }
 
     /// An expression for a body of revolution: besides [`VARIABLES`] there are `r = |x|`, the distance from the axis, and `rho = |xi|`.
@@ -67,7 +73,7 @@ impl Profile {
     /// [`ExpressionError`] with the place in the text.
     pub fn radial(text: &str) -> Result<Self, ExpressionError> {
         let expression = Expression::parse_with_magnitudes(text, &VARIABLES, &RADIAL)?;
-        Ok(Self { shape: Shape::Expression(Arc::new(expression)) })
+        Ok(Self::of(Shape::Expression(Arc::new(expression))))
     }
 
     /// A closure of `x`, in the units of the problem: metres, or half-widths; under a circular punch it is asked for `x` of either sign.
@@ -76,7 +82,7 @@ impl Profile {
     /// [`with_breaks`](Self::with_breaks) says so.
     #[must_use]
     pub fn from_fn(height: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
-        Self { shape: Shape::Function(Function::new(height)) }
+        Self::of(Shape::Function(Function::new(height)))
     }
 
     /// The same closure with the places `x` where it has kinks or jumps; an expression or points, which tell them themselves, stay as they are.
@@ -88,10 +94,8 @@ impl Profile {
             require(place.is_finite(), "profile", *place, "given finite places of its breaks")?;
         }
         Ok(match self.shape {
-            Shape::Function(function) => {
-                Self { shape: Shape::Function(function.with_breaks(breaks)) }
-            }
-            shape => Self { shape },
+            Shape::Function(function) => Self::of(Shape::Function(function.with_breaks(breaks))),
+            shape => Self::of(shape),
         })
     }
 
@@ -119,7 +123,7 @@ impl Profile {
                 "given at strictly increasing positions",
             )?;
         }
-        Ok(Self { shape: Shape::Measured(Arc::new(Spline::through(positions, heights))) })
+        Ok(Self::of(Shape::Measured(Arc::new(Spline::through(positions, heights)))))
     }
 
     /// The profile of a base of which `[-a, a]` is one period: a measured one from end to end whose last height is the first is a spline without a kink where it repeats.
@@ -130,7 +134,7 @@ impl Profile {
         match &self.shape {
             Shape::Measured(spline) if is_whole(spline) => {
                 let closed = spline.closed().map(|spline| Shape::Measured(Arc::new(spline)));
-                closed.map_or(self, |shape| Self { shape })
+                closed.map_or(self, Self::of)
             }
             _ => self,
         }

@@ -31,7 +31,7 @@ impl Profile {
                 (Shape::Measured(Arc::new(spline.lowered(nearest))), nearest)
             }
         };
-        let rest = Self { shape };
+        let rest = Self::of(shape);
         let size = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
         let is_less = size(rest.extremes(half_width)) <= SHARE * size([lowest, highest]);
         (level.is_finite() && is_less).then_some((rest, level))
@@ -40,9 +40,10 @@ impl Profile {
     /// The base by a small height higher; a measured one as it is, whose heights are not known so well.
     pub(crate) fn raised(self, by: f64) -> Self {
         match self.shape {
-            Shape::Expression(expression) => Self {
-                shape: Shape::Expression(Arc::new(Arc::unwrap_or_clone(expression).plus(by, 0.0))),
-            },
+            Shape::Expression(expression) => {
+                let raised = Arc::unwrap_or_clone(expression).plus(by, 0.0);
+                Self::of(Shape::Expression(Arc::new(raised)))
+            }
             Shape::Flat | Shape::Measured(_) | Shape::Function(_) => self,
         }
     }

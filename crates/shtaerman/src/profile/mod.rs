@@ -8,6 +8,7 @@ mod function;
 mod level;
 mod measured;
 mod resolution;
+mod resolved;
 mod spline;
 mod trace;
 mod waiting;
@@ -17,6 +18,6 @@ mod tests;
 
 pub use base::{Profile, VARIABLES};
 pub use measured::{CsvOptions, read_csv};
-pub use resolution::Resolution;
+pub use resolved::Resolution;
 pub use shtaerman_input::columns::{Column, Dialect, HeaderUnit};
 pub use trace::{Place, Trace, TraceOptions};

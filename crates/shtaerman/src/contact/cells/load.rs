@@ -1,12 +1,12 @@
 //! The load on cells.
 
-use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
+use fredholm::complementarity::{Complementarity, Condition};
 
 use super::super::accuracy::STAGNANT;
 use super::{Cell, Cells};
 use crate::deadline::{Deadline, work};
-use crate::line_search::STEPS;
 use crate::{Error, Load, Rotational, Vertical};
+use crate::{line_search::STEPS, lower_hull::lower_hull};
 
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]
@@ -62,25 +62,21 @@ impl Loaded {
     /// Begins with the cells that carry.
     pub(in crate::contact) fn solve(
         &self,
-        deadline: &Deadline,
-        cells: &Cells,
-        matrix: Vec<f64>,
-        theta: f64,
-    ) -> Result<ComplementaritySolution, Error> {
+        (cells, deadline): (&Cells, &Deadline),
+        matrix: Complementarity,
+    ) -> Result<Vec<f64>, Error> {
         let is_over = |order: usize| {
             deadline.spend(work::CELLS * (order as f64).powi(3));
             deadline.is_past()
         };
-        let Self { right, conditions, feasible, .. } = self;
-        let matrix = Complementarity::new(matrix, theta)?;
-        Ok(matrix.solve_until(&is_over, right, conditions, &cells.carrying(), feasible)?)
+        let Self { right, conditions, feasible } = self;
+        Ok(matrix.solve_until(&is_over, right, conditions, &cells.carrying(), feasible)?.values)
     }
 }
 
 /// Solves without a layer, `theta K p = delta0 - alpha0 xi - f0`, for `z`: with one too thin to matter.
 pub(in crate::contact) fn solve_thin(
-    deadline: &Deadline,
-    cells: &Cells,
+    (cells, deadline): (&Cells, &Deadline),
     (roots, matrix): (Vec<f64>, Vec<f64>),
     load: Load,
     theta: f64,
@@ -93,25 +89,15 @@ pub(in crate::contact) fn solve_thin(
     // Of a layer too thin to matter: its share is rounding.
     let thin = 1.0 / STAGNANT;
     let loaded = Loaded::new(cells, &roots, load, thin / theta, &cells.means(above));
-    Ok(loaded.solve(deadline, cells, matrix, thin)?.values)
+    loaded.solve((cells, deadline), Complementarity::new(matrix, thin)?)
 }
 
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is
 /// beside, and the pressure is the same. None but zero where it is not free to move there.
 fn resting(cells: &Cells, load: Load, means: &[f64]) -> [f64; 2] {
     let (Vertical::Force(_), Some(arm)) = (load.vertical, load.arm()) else { return [0.0; 2] };
-    // The lower hull of the heights, from left to right.
-    let mut hull: Vec<[f64; 2]> = Vec::new();
-    for (cell, mean) in cells.cells().iter().zip(means) {
-        let next = [cell.centre(), *mean];
-        while let [.., before, last] = hull[..]
-            && (last[1] - before[1]) * (next[0] - before[0])
-                >= (next[1] - before[1]) * (last[0] - before[0])
-        {
-            hull.pop();
-        }
-        hull.push(next);
-    }
+    let corner = |(cell, mean): (&Cell, &f64)| [cell.centre(), *mean];
+    let hull = lower_hull(cells.cells().iter().zip(means).map(corner));
     let beside = hull.partition_point(|[x, _]| *x < arm).clamp(1, hull.len().max(2) - 1);
     match hull.get(beside - 1..=beside) {
         Some([left, right]) => {
@@ -143,10 +129,9 @@ fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
         (vertical, _) => {
             // A force in its line, without one an even pressure; at a settlement any force will do that acts in the line.
             let mass = || roots.iter().map(|root| root * root).sum::<f64>();
+            let lever = || centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>();
             let arm = load.arm().unwrap_or_else(|| match vertical {
-                Vertical::Force(_) => {
-                    centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass()
-                }
+                Vertical::Force(_) => lever() / mass(),
                 Vertical::Settlement(_) => 0.0,
             });
             let density = balanced(centres, roots, arm);

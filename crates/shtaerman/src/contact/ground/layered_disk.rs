@@ -11,8 +11,7 @@ use super::disk::Disk;
 use super::shared::layered_disk;
 use super::{Ground, Hull, SharedKernel, half_count_of_layer};
 use super::{KERNEL, STEP};
-use crate::deadline::work;
-use crate::{Error, Layering};
+use crate::{Error, Layering, deadline::work};
 
 #[derive(Debug)]
 pub(super) struct LayeredDisk {

@@ -32,8 +32,7 @@ use fredholm::collocation::SincGrid;
 use fredholm::kernel::Kernel;
 use fredholm::multipole::PanelKernel;
 
-use crate::Error;
-use crate::deadline::work;
+use crate::{Error, deadline::work};
 
 /// A kernel as an answer keeps it.
 pub(in crate::contact) trait KeptKernel: Kernel + Debug + Send + Sync {}

@@ -1,5 +1,7 @@
 //! Which parts of the base touch, on any ground and layer: complementarity on cells, a layer that bends made linear at about the mean pressure.
 
+use fredholm::complementarity::Complementarity;
+
 use super::base::Base;
 use super::layer::reference_pressure;
 use crate::contact::cells::{Cells, Loaded};
@@ -18,6 +20,7 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     cells.settled((base.ground.as_ref(), deadline), |cells, roots, matrix| {
         let means = cells.means(|places| base.surface.heights(places));
         let loaded = Loaded::new(cells, &roots, load, gain, &means);
-        Ok(loaded.solve(deadline, cells, matrix, gain * base.strength())?.values)
+        let matrix = Complementarity::new(matrix, gain * base.strength())?;
+        loaded.solve((cells, deadline), matrix)
     })
 }

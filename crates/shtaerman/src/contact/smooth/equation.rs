@@ -55,9 +55,8 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
     }
     let solved = equation.on_zones(zones, detail)?;
     let (count, is_disk) = (solved.coupled() as f64, equation.base().ground.is_disk());
-    let of_zones = count * (1.0 + work::MODES / zones.len() as f64);
-    let of_pair = if is_disk { count + work::RINGS } else { of_zones };
-    equation.deadline().spend(count * count * of_pair);
+    let own = if is_disk { work::RINGS } else { work::MODES * count / zones.len() as f64 };
+    equation.deadline().spend(count * count * (count + own));
     Ok(solved)
 }
 

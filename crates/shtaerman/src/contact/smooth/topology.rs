@@ -26,7 +26,7 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
             without_constant(&mut matrix, &roots, ground.exponent());
         }
         let heights = |places: &[f64]| base.heights(places);
-        solve_thin(base.deadline(), cells, (roots, matrix), load, strength, heights)
+        solve_thin((cells, base.deadline()), (roots, matrix), load, strength, heights)
     })
 }
 

@@ -10,6 +10,7 @@ mod search;
 mod tests;
 
 use super::base::{Profile, Shape};
+use super::resolved::{Asked, Resolution};
 use crate::expression::Interval;
 use parts::Partition;
 use search::{Leaf, Search};
@@ -19,30 +20,6 @@ const MOST_JOINTS: usize = 512;
 
 /// Cuts this close are the same but for rounding.
 const NEAR: f64 = 256.0 * f64::EPSILON;
-
-/// The cuts of a base and what was proved of the parts between.
-///
-/// On each part between neighbouring cuts (the joints and the ends of the pieces) the profile differs from some polynomial of the degree asked for
-/// by no more than the tolerance asked for, times the range of its heights (or than a few roundings of the largest height, if that is more), except
-/// in the neighbourhood of what is listed as singular or unresolved.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Resolution {
-    /// Rising `xi` inside the pieces: switches, the surroundings of narrow features, singular places.
-    pub joints: Vec<f64>,
-    /// Joints and ends of pieces, to rounding, at which no smoothness was proved: hidden kinks such as that of `sqrt((xi - 0.3)^2)`, roots such as
-    /// that of `abs(xi)^1.5`. A part beside one is resolved piece by piece if it is cut at distances from it that grow by half from one cut to the next.
-    pub singular: Vec<f64>,
-    /// Intervals of `xi`, rising, on which nothing was proved with the work that is allowed; there may be features of any width.
-    pub unresolved: Vec<[f64; 2]>,
-}
-
-impl Resolution {
-    /// Whether something was proved everywhere but at single places.
-    #[must_use]
-    pub fn is_complete(&self) -> bool {
-        self.unresolved.is_empty()
-    }
-}
 
 impl Profile {
     /// Finds where the pieces of a base, given by their ends in `xi`, have to be cut so that polynomials of a degree (at least 4) resolve the
@@ -81,7 +58,9 @@ impl Profile {
             }
             Shape::Expression(expression) => {
                 let search = Search::new(self, half_width, degree.max(4), expression.length());
-                self.resolve_expression(pieces, &search, tolerance)
+                let find = || self.resolve_expression(pieces, &search, tolerance);
+                let asked = Asked { pieces: pieces.to_vec(), half_width, degree, tolerance };
+                self.resolved.known_or(asked, find)
             }
         }
     }
