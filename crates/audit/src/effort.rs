@@ -2,7 +2,7 @@
 
 /// Panels of a pressure, and as many more for each place where it may bend (survey: of 12,000 random problems the audits that came to an end took 341 at most, traces one or two a point).
 const PANELS: [usize; 2] = [4_000, 12];
-/// Looks at panels, likewise.
+/// Looks at panels, likewise (survey: of 200 plausible problems 1.7 million at most, of traces up to 900 a point).
 const LOOKS: [u64; 2] = [5_000_000, 2_000];
 /// Of the places where a pressure may bend so many count: what is kept has an end.
 const MOST_CUTS: usize = 20_000;

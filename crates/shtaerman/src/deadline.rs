@@ -18,8 +18,9 @@ pub(crate) mod work {
     pub(crate) const POWERS: f64 = 1.5;
     /// Of a system on cells for each cube: the definite way is tried before the general one, and memory is asked for anew.
     pub(crate) const CELLS: f64 = 1.6;
-    /// Of what a place does to another on a rough surface, and where it is a ring on a layered body, of which the potential counts as well.
-    pub(crate) const ENTRY: f64 = 500.0;
+    /// Of what a place does to another on a rough surface, where it is a ring, and where that lies on a layered body, of which the potential counts as well.
+    pub(crate) const ENTRY: f64 = 100.0;
+    pub(crate) const RING: f64 = 500.0;
     pub(crate) const LAYERED_RING: f64 = 20_000.0;
     /// So many times the cube of the modes of a zone for what it does to itself and to another.
     pub(crate) const MODES: f64 = 8.0;

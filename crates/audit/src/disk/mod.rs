@@ -167,7 +167,8 @@ impl<'a> Audit<'a> {
         } else {
             4.0 * change / std::f64::consts::PI
         };
-        let most = if is_added { 0.5 * largest } else { 0.5 };
+        // A moment may be as small as rounding of the pressure makes it.
+        let most = if is_added { (0.5 * largest).max(SUMMED * UNIT * whole) } else { 0.5 };
         if added.is_nan() || added.abs() > most {
             return Err(Refusal::LoadNotMet);
         }

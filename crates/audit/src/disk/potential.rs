@@ -17,6 +17,8 @@ const ABOUT: f64 = 1.0 / 3.0;
 const GROWTH: f64 = 4.0;
 /// Places are at least this far from the axis, relative to the panel there: so near to it potentials do not change.
 const AT_AXIS: f64 = 1e-16;
+/// Looks at panels in the plane that take as long as one on a disk.
+const LOOKS: u64 = 8;
 /// Roundings of the factor of a singularity, of its product with the density and of its part in the kernel.
 const FACTORS: f64 = 8.0;
 
@@ -60,7 +62,7 @@ impl Radial {
         }
     }
 
-    /// How often nodes of a panel, or of several together, were looked at from a place.
+    /// How often panels, or several together, were looked at from a place, in looks of the plane.
     pub(crate) fn looks(&self) -> u64 {
         self.looks.get()
     }
@@ -94,7 +96,7 @@ impl Radial {
         let tree = self.tree.get_or_init(|| Tree::new(&self.panels, &self.masses));
         let mut looks = 0;
         tree.see(r, |seen| {
-            looks += ORDER as u64;
+            looks += LOOKS;
             match seen {
                 Seen::Far(cluster) => {
                     let (nodes, distances, masses) = cluster.seen(r);

@@ -90,7 +90,7 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
 
     /// What the kernel for two places takes, as work.
     fn entry(&self) -> f64 {
-        work::ENTRY
+        if self.is_disk() { work::RING } else { work::ENTRY }
     }
 
     /// `mu` of `E ~ y^mu`, and of the singularity of a plane kernel.
