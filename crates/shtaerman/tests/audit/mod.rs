@@ -8,6 +8,7 @@
 #[path = "../../examples/audit_survey/coarse.rs"]
 mod coarse;
 mod cross_check;
+mod disks;
 #[path = "../../examples/audit_survey/draw.rs"]
 mod draw;
 mod equations;
