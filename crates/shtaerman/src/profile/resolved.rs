@@ -40,16 +40,15 @@ pub(super) struct Asked {
 pub(super) struct Resolved(Arc<Mutex<Option<(Asked, Resolution)>>>);
 
 impl Resolved {
-    /// What is known, or what is found.
+    /// What is known, or what is found: threads that ask at once find it each, and wait for none.
     pub(super) fn known_or(&self, asked: Asked, find: impl FnOnce() -> Resolution) -> Resolution {
-        let mut last = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((known, found)) = &*last
-            && *known == asked
-        {
-            return found.clone();
+        let last = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = last().as_ref().filter(|(known, _)| *known == asked).cloned();
+        if let Some((_, found)) = known {
+            return found;
         }
         let found = find();
-        *last = Some((asked, found.clone()));
+        *last() = Some((asked, found.clone()));
         found
     }
 }

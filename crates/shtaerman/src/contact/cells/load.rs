@@ -63,7 +63,7 @@ impl Loaded {
     pub(in crate::contact) fn solve(
         &self,
         (cells, deadline): (&Cells, &Deadline),
-        matrix: Complementarity,
+        matrix: &Complementarity,
     ) -> Result<Vec<f64>, Error> {
         let is_over = |order: usize| {
             deadline.spend(work::CELLS * (order as f64).powi(3));
@@ -89,7 +89,7 @@ pub(in crate::contact) fn solve_thin(
     // Of a layer too thin to matter: its share is rounding.
     let thin = 1.0 / STAGNANT;
     let loaded = Loaded::new(cells, &roots, load, thin / theta, &cells.means(above));
-    loaded.solve((cells, deadline), Complementarity::new(matrix, thin)?)
+    loaded.solve((cells, deadline), &Complementarity::new(matrix, thin)?)
 }
 
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is

@@ -21,6 +21,6 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
         let means = cells.means(|places| base.surface.heights(places));
         let loaded = Loaded::new(cells, &roots, load, gain, &means);
         let matrix = Complementarity::new(matrix, gain * base.strength())?;
-        loaded.solve((cells, deadline), matrix)
+        loaded.solve((cells, deadline), &matrix)
     })
 }
