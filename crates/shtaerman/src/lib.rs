@@ -45,6 +45,7 @@ mod golden;
 mod grading;
 mod influence;
 pub mod inverse;
+mod latest;
 mod layering;
 mod line_search;
 pub mod load;

@@ -4,16 +4,16 @@
 //! The kernel is homogeneous, so contacts of all radii have the same operators; they take longer than all the rest of a solution. What is kept is a function of
 //! its key, so answers do not depend on what was solved before, nor on what other threads solve.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
 use fredholm::kernel::{Logarithm, TransferDisk, TransferPlane, WeberSonine};
 
+use crate::latest::{always, cached};
 use crate::{Error, Layering};
 
-/// Most kernels and operators kept of a kind, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm.
-const KEPT: usize = 24;
+/// Most nodes of an operator that is kept: half a megabyte each; parity halves those of the logarithm.
 const MOST_NODES: usize = 257;
 
 /// Order and exponent of grading, the latter by its bits.
@@ -107,37 +107,6 @@ pub(super) fn layered_disk(order: usize, layering: &Layering) -> Result<Arc<Tran
     })
 }
 
-/// The value with this key, which becomes the latest; a new one, if it is small, in the place of the one not wanted for longest.
-fn cached<K: PartialEq, V: Clone>(
-    list: &Mutex<Vec<(K, V)>>,
-    key: K,
-    is_small: impl FnOnce(&V) -> bool,
-    make: impl FnOnce() -> Result<V, Error>,
-) -> Result<V, Error> {
-    let locked = || list.lock().unwrap_or_else(PoisonError::into_inner);
-    let known = |list: &Vec<(K, V)>| list.iter().position(|(known, _)| *known == key);
-    let mut list = locked();
-    if let Some(index) = known(&list) {
-        list[index..].rotate_left(1);
-        return Ok(list[list.len() - 1].1.clone());
-    }
-    drop(list);
-    let value = make()?;
-    let mut list = locked();
-    // Another thread may have been first.
-    if is_small(&value) && known(&list).is_none() {
-        if list.len() >= KEPT {
-            list.remove(0);
-        }
-        list.push((key, value.clone()));
-    }
-    Ok(value)
-}
-
-fn always<V>(_: &V) -> bool {
-    true
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
@@ -145,32 +114,6 @@ mod tests {
     use fredholm::collocation::Place;
 
     use super::*;
-
-    #[test]
-    fn the_latest_are_kept() {
-        let list = Mutex::new(Vec::new());
-        let made = std::cell::Cell::new(0);
-        let value = |key: usize| {
-            let make = || {
-                made.set(made.get() + 1);
-                Ok(10 * key)
-            };
-            cached(&list, key, |value| *value < 10 * MOST_NODES, make).unwrap()
-        };
-        for key in (0..KEPT).chain([0, KEPT]) {
-            assert_eq!(value(key), 10 * key);
-        }
-        assert_eq!(made.get(), KEPT + 1);
-        for key in [0, 2, KEPT] {
-            assert_eq!(value(key), 10 * key);
-        }
-        assert_eq!(made.get(), KEPT + 1);
-        // The one not wanted for longest is made again, and what is large each time.
-        for key in [1, MOST_NODES, MOST_NODES] {
-            assert_eq!(value(key), 10 * key);
-        }
-        assert_eq!(made.get(), KEPT + 4);
-    }
 
     #[test]
     fn operators_are_those_of_their_order_however_often() {

@@ -38,6 +38,8 @@ pub(super) struct RoughContact<F> {
     complementarity: Option<Complementarity>,
     /// The tilt of a circular punch.
     tilted: Option<Tilted>,
+    /// What is left of the error of the stiffness against that.
+    turning_error: f64,
     /// Places where the contact does not touch, one for each interval.
     beside: Vec<f64>,
 }
@@ -49,7 +51,7 @@ impl<F: Field> RoughContact<F> {
     /// [`Error::LiftsOff`] where a circular punch tilts so much that it lifts off.
     pub(super) fn new(base: &Base, mut solved: Solved<F>, left: &Check) -> Result<Self, Error> {
         let mut stiffness = solved.stiffness();
-        let tilted = turned(base, &mut solved, &mut stiffness)?;
+        let (tilted, turning_error) = turned(base, &mut solved, &mut stiffness)?;
         let Stated { accuracy, edge: edge_error } = solved.stated_with_kernel(base, &stiffness);
         let Check { tension, penetration, missed, .. } = *left;
         let accuracy = accuracy.with_left(missed, &stiffness);
@@ -75,6 +77,7 @@ impl<F: Field> RoughContact<F> {
             edge_error,
             complementarity: (!base.is_bilateral).then_some(complementarity),
             tilted,
+            turning_error,
             beside: beside.map(|[left, right]| 0.5 * (left + right)).collect(),
         })
     }
@@ -128,7 +131,8 @@ impl<F: Field> Solution for RoughContact<F> {
     }
 
     fn stiffness_error(&self) -> Option<Stiffness> {
-        stiffness_error(&self.solved)
+        let known = stiffness_error(&self.solved)?;
+        Some(Stiffness { moment_tilt: known.moment_tilt.max(self.turning_error), ..known })
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
@@ -194,7 +198,8 @@ impl<F: Field> Solution for RoughContact<F> {
     }
 
     fn method(&self) -> Method {
-        Method { name: F::NAME, n: self.solved.given.len() }
+        let of_tilt = self.tilted.as_ref().map_or(0, Tilted::nodes);
+        Method { name: F::NAME, n: self.solved.given.len().max(of_tilt) }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -218,12 +223,12 @@ impl<F: Field> Solution for RoughContact<F> {
         }
         let found = linearised(solved, &self.surface, load, place)?;
         match &self.tilted {
-            Some(tilted) => Some(tilted.linearised(solved, found, load.vertical, peak)),
+            Some(tilted) => Some(tilted.linearised(found, load.vertical, peak)),
             None => Some(found),
         }
     }
 
     fn size(&self) -> f64 {
-        self.solved.largest()
+        self.solved.largest() + self.tilted.as_ref().map_or(0.0, Tilted::largest)
     }
 }

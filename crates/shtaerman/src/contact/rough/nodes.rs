@@ -13,6 +13,12 @@ use crate::golden::GOLDEN;
 
 /// Places on a panel at which resolutions are compared (survey).
 pub(super) const PLACES: usize = 128;
+/// Fewest nodes of a collocated panel on either side of its middle (survey).
+pub(super) const FEWEST: usize = 8;
+/// Growth of their number from one resolution to the next (survey).
+pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
+/// Most of them together: a dense system takes some seconds (memory and time).
+pub(super) const MOST_DENSE: usize = 2400;
 
 /// Zones cut into panels, with the nodes on these.
 #[derive(Debug, Clone)]

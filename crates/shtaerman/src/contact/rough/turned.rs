@@ -6,17 +6,22 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use fredholm::collocation::{self, first_half_count};
 use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
-use super::nodes::{Field, PLACES, between_nodes};
+use super::nodes::{FEWEST, Field, MOST_DENSE, PLACES, RATIO, between_nodes};
 use super::solved::{Solved, largest};
-use crate::contact::accuracy::{Accuracy, SAFETY};
-use crate::contact::ground::SharedKernel;
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::contact::ground::{Hull, SharedKernel};
+use crate::contact::parts::Smoothness;
 use crate::contact::rates::{Linearised, Rates};
-use crate::contact::search::ALLOWED;
+use crate::contact::resolutions::Trust;
+use crate::contact::search::{ALLOWED, unknown};
 use crate::contact::stiffness::Stiffness;
 use crate::error::require;
+use crate::solver::AIM;
 use crate::{Error, Rotational, Vertical};
 
 /// The pressure `p1(r) cos(phi)` of a tilted circular punch that touches all over.
@@ -24,8 +29,8 @@ use crate::{Error, Rotational, Vertical};
 pub(super) struct Tilted {
     /// For `-alpha0 = 1`.
     unit: Unit,
-    /// What it changes by with `ln theta0`.
-    changed: SincSolution,
+    /// What is left of its error by its resolutions and rounding: of the pressure, and of `dM0/d(-alpha0)`.
+    off: [f64; 2],
     /// `alpha0`.
     tilt: f64,
     /// What is prescribed of it.
@@ -37,45 +42,85 @@ pub(super) struct Tilted {
 #[derive(Debug, Clone)]
 struct Unit {
     solution: SincSolution,
+    /// What it changes by with `ln theta0`.
+    changed: SincSolution,
     /// `dM0/d(-alpha0)`.
     turning: f64,
 }
 
 impl Unit {
-    /// On the nodes of a solution, with what it changes by if `theta` does as `ln theta`.
-    fn new<F: Field>(
+    /// With so many nodes on either side of the middle of each panel, in local coordinates, and what the layer gives at them; under a linear one that counts for nothing.
+    fn new(
         base: &Base,
-        solved: &Solved<F>,
         kernel: &SharedKernel,
-    ) -> Result<(Self, SincSolution), Error> {
-        let hull = &solved.nodes.frame.hull;
-        let panels = solved.nodes.panels.iter();
-        let panels: Vec<(f64, f64)> =
-            panels.map(|[left, right]| (left / hull.half, (right / hull.half).min(1.0))).collect();
-        let half_count = solved.nodes.a_panel() / 2;
-        let known = match panels[..] {
-            [(0.0, 1.0)] => base.ground.known_turned_operator(half_count).transpose()?,
-            _ => None,
+        hull: &Hull,
+        (half_count, panels): (usize, &[(f64, f64)]),
+        given: &[f64],
+    ) -> Result<Self, Error> {
+        let operator = if *panels == [(0.0, 1.0)]
+            && let Some(known) = base.ground.known_turned_operator(half_count)
+        {
+            known?
+        } else {
+            let grid = base.ground.grid(half_count)?;
+            Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, panels)?)
         };
-        let operator = match known {
-            Some(operator) => operator,
-            None => {
-                let grid = base.ground.grid(half_count)?;
-                Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, &panels)?)
-            }
-        };
-        let slopes: Vec<f64> = solved.given.iter().map(|v| base.layer.slope(*v)).collect();
-        let parameter = solved.strength * base.ground.scale(hull);
-        let factor = operator.factor_weighted(parameter, &slopes)?;
+        let count = operator.count();
+        base.problem().deadline().spend(base.ground.entry() * (count as f64).powi(2));
+        let slope = |k: usize| given.get(k).map_or(1.0, |v| base.layer.slope(*v));
+        let parameter = base.strength() * base.ground.scale(hull);
+        let factor =
+            operator.factor_weighted(parameter, &(0..count).map(slope).collect::<Vec<_>>())?;
         let solution = factor.solve(&operator.sample(|y| y)?)?;
         let body: Vec<f64> = solution.potential().iter().map(|u| -parameter * u).collect();
         // r = half y in the lever, in the moment and twice in the area
         let turning = PI * hull.half.powi(4) * solution.integral(|y| y);
-        Ok((Self { solution, turning }, factor.solve(&body)?))
+        Ok(Self { solution, changed: factor.solve(&body)?, turning })
+    }
+
+    /// Differences of the pressure between the nodes, and of `dM0/d(-alpha0)`.
+    fn differences(&self, other: &Self) -> [f64; 2] {
+        let off = |r: f64| (self.solution.evaluate(r, r) - other.solution.evaluate(r, r)).abs();
+        let off = between_nodes(PLACES).map(|y| off(0.5 * (1.0 + y))).fold(off(1.0), f64::max);
+        [off, (self.turning - other.turning).abs()]
+    }
+
+    /// On the whole radius on growing resolutions of its own, with what is left of its errors: the pressure without angle may need more, fewer, or be nothing.
+    fn resolved(base: &Base, kernel: &SharedKernel) -> Result<(Self, [f64; 2]), Error> {
+        let (deadline, room) = (base.problem().deadline(), (MOST_DENSE / 2) as f64);
+        let tolerance = base.problem().solver().tolerance.unwrap_or(AIM);
+        let hull = base.ground.hull(0.0, 1.0, base.surface.origin);
+        let first = first_half_count(base.steepness()).max(base.ground.first_half_count(1.0));
+        let on_level = |level: i32| {
+            let count = (first * RATIO.powi(level - 2)).min(room).round() as usize;
+            let on = (count.max(FEWEST), &[(0.0, 1.0)][..]);
+            Self::new(base, kernel, &hull, on, &[]).map(|unit| (unit, count as f64 >= room))
+        };
+        let (mut finest, _) = on_level(0)?;
+        let mut before = [f64::INFINITY; 2];
+        for level in 1.. {
+            let (finer, is_most) = on_level(level)?;
+            let change = finer.differences(&finest);
+            let size = largest(finer.solution.values());
+            let rounding = collocation::rounding(&finer.solution);
+            let pressures = [before[0], change[0]];
+            let trust = Trust::new(Smoothness::Proved, RATIO, pressures, rounding, size);
+            let left = |k: usize, size: f64| trust.left_of_one([before[k], change[k]], size, 1.0);
+            let share = rounding / size;
+            let off =
+                [left(0, size).max(rounding), left(1, finer.turning).max(share * finer.turning)];
+            let is_known = (off[0] / size).max(off[1] / finer.turning) <= tolerance.max(share);
+            if level > 1 && (is_known || is_most || deadline.is_past()) {
+                return Ok((finer, off));
+            }
+            (finest, before) = (finer, change);
+        }
+        Err(unknown())
     }
 }
 
-/// What a circular punch adds to a solution without angle: tilt and moment with their errors, the stiffness against tilt, and a pressure if it tilts.
+/// What a circular punch adds to a solution without angle: tilt and moment with their errors, the stiffness against tilt with what its own resolutions leave of its error, and a
+/// pressure if it tilts.
 ///
 /// # Errors
 /// [`Error::LiftsOff`] where it lifts off, [`Error::InvalidValue`] for a tilt on a power law; those of the equation.
@@ -83,20 +128,31 @@ pub(super) fn turned<F: Field>(
     base: &Base,
     solved: &mut Solved<F>,
     stiffness: &mut Stiffness,
-) -> Result<Option<Tilted>, Error> {
-    let Some(kernel) = base.ground.turned_kernel()? else { return Ok(None) };
+) -> Result<(Option<Tilted>, f64), Error> {
+    let Some(kernel) = base.ground.turned_kernel()? else { return Ok((None, 0.0)) };
     let (field, value) = base.problem().load().rotational.named();
-    let (unit, changed) = Unit::new(base, solved, &kernel)?;
+    let needed = "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure";
+    require(base.layer.is_linear() || value == 0.0, field, value, needed)?;
+    let touches_all_over =
+        matches!(&solved.nodes.zones[..], [zone] if zone.ends == [0.0, 1.0]) || base.is_bilateral;
+    if !(touches_all_over && base.layer.is_linear()) {
+        let (nodes, half) = (&solved.nodes, solved.nodes.frame.hull.half);
+        let local = |[left, right]: &[f64; 2]| (left / half, (right / half).min(1.0));
+        let panels: Vec<(f64, f64)> = nodes.panels.iter().map(local).collect();
+        let on = (nodes.a_panel() / 2, &panels[..]);
+        let unit = Unit::new(base, &kernel, &nodes.frame.hull, on, &solved.given)?;
+        stiffness.moment_tilt = unit.turning;
+        let lifts_off = Error::LiftsOff { field, value, limit: 0.0 };
+        return if value == 0.0 { Ok((None, 0.0)) } else { Err(lifts_off) };
+    }
+    let (unit, off) = Unit::resolved(base, &kernel)?;
     stiffness.moment_tilt = unit.turning;
     if value == 0.0 {
-        return Ok(None);
+        return Ok((None, off[1]));
     }
-    let needed = "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure";
-    require(base.layer.is_linear(), field, value, needed)?;
     let given = base.surface.setting.load().rotational;
-    let (turning, state) = (unit.turning, &mut solved.state);
-    [state.tilt, state.moment] = given.turned(state.force, turning);
-    let tilted = Tilted { unit, changed, tilt: state.tilt, given, kernel };
+    [solved.state.tilt, solved.state.moment] = given.turned(solved.state.force, unit.turning);
+    let tilted = Tilted { unit, off, tilt: solved.state.tilt, given, kernel };
     if !base.is_bilateral {
         let [limit, tension] = tilted.tension(base, solved);
         let rounding = solved.rounding() + ALLOWED * solved.largest();
@@ -104,11 +160,8 @@ pub(super) fn turned<F: Field>(
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
     }
-    let coarse = solved.coarser.last().map(|coarse| Unit::new(base, coarse, &tilted.kernel));
-    if let Some((coarse, _)) = coarse.transpose()? {
-        solved.stated.accuracy = tilted.accuracy(solved, &coarse);
-    }
-    Ok(Some(tilted))
+    solved.stated.accuracy = tilted.accuracy(solved.stated.accuracy, &solved.state);
+    Ok((Some(tilted), off[1]))
 }
 
 impl Tilted {
@@ -128,17 +181,21 @@ impl Tilted {
         -self.tilt * unit.parameter() * potential
     }
 
-    /// The errors of a solution with those of the tilt, by the unit pressure on fewer nodes.
-    fn accuracy<F: Field>(&self, solved: &Solved<F>, coarse: &Unit) -> Accuracy {
-        let (tilt, moment) = (solved.state.tilt.abs(), solved.state.moment.abs());
-        let Unit { solution: unit, turning } = &self.unit;
-        let rounding = solved.rounding() / solved.deepest();
-        let share = SAFETY * (turning - coarse.turning).abs() / turning + rounding;
-        let off = |r: f64| (unit.evaluate(r, r) - coarse.solution.evaluate(r, r)).abs();
-        let off = between_nodes(PLACES).map(|y| off(0.5 * (1.0 + y))).fold(0.0, f64::max);
-        let size = largest(unit.values());
-        let accuracy = solved.stated.accuracy;
-        let pressure = accuracy.pressure + tilt * (SAFETY * off + (share + rounding) * size);
+    /// The largest pressure.
+    pub(super) fn largest(&self) -> f64 {
+        self.tilt.abs() * largest(self.unit.solution.values())
+    }
+
+    pub(super) fn nodes(&self) -> usize {
+        self.unit.solution.values().len()
+    }
+
+    /// The errors of a solution in this state with those of the tilt.
+    fn accuracy(&self, accuracy: Accuracy, state: &State) -> Accuracy {
+        let (tilt, moment) = (state.tilt.abs(), state.moment.abs());
+        let (turning, [off, turning_off]) = (self.unit.turning, self.off);
+        let share = turning_off / turning;
+        let pressure = accuracy.pressure + tilt * off + share * self.largest();
         let accuracy = Accuracy { pressure, ..accuracy };
         match self.given {
             Rotational::Tilt(_) => Accuracy { moment: moment * share, ..accuracy },
@@ -152,9 +209,6 @@ impl Tilted {
 
     /// How much of the tilt keeps the whole base in contact, and the tension under all of it.
     fn tension<F: Field>(&self, base: &Base, solved: &Solved<F>) -> [f64; 2] {
-        if !matches!(&solved.nodes.zones[..], [zone] if zone.ends == [0.0, 1.0]) {
-            return [0.0, f64::INFINITY];
-        }
         let places = between_nodes(PLACES).map(|y| 0.5 * (1.0 + y)).filter(|r| *r > 0.0);
         places.fold([f64::INFINITY, f64::NEG_INFINITY], |[share, tension], r| {
             let (even, odd) = (solved.pressure_at(r, base.height(r)), self.pressure(r).abs());
@@ -165,14 +219,8 @@ impl Tilted {
     /// The first-order change with what the tilt adds to that of the pressure without angle; the peak is a place on the diameter.
     ///
     /// With `ln theta` the unit pressure turns by `T' = -pi int q theta W_1 q r dr`: the operator is symmetric.
-    pub(super) fn linearised<F: Field>(
-        &self,
-        solved: &Solved<F>,
-        mut even: Linearised,
-        by: Vertical,
-        peak: f64,
-    ) -> Linearised {
-        let Self { unit: Unit { solution: unit, turning }, tilt, .. } = self;
+    pub(super) fn linearised(&self, mut even: Linearised, by: Vertical, peak: f64) -> Linearised {
+        let Self { unit: Unit { solution: unit, changed, turning }, tilt, .. } = self;
         let masses = unit.node_masses().iter().zip(unit.potential());
         let turning_rate = -PI * unit.parameter() * masses.map(|(mass, u)| mass * u).sum::<f64>();
         let (r, sign) = (peak.abs(), if peak < 0.0 { -1.0 } else { 1.0 });
@@ -193,9 +241,9 @@ impl Tilted {
             }
             Rotational::Eccentricity(e) => by_force(e),
         }
-        even.rates[0][3] -= sign * tilt * self.changed.evaluate(r, elastic);
+        even.rates[0][3] -= sign * tilt * changed.evaluate(r, elastic);
         // As near as the unit pressure is known to its own moment.
-        let size = solved.rounding() / solved.deepest();
+        let size = self.off[1] / turning;
         for (rates, errors) in even.rates.iter_mut().zip(&mut even.errors) {
             rates[3] -= sign * rates[2] * unit.evaluate(r, r);
             errors[2] += size * rates[2].abs();

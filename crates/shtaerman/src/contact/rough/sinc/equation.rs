@@ -4,13 +4,14 @@ use std::cell::Cell;
 
 use fredholm::collocation::first_half_count;
 
-use super::nodes::{RATIO, Resolution, SincField, SincNodes};
+use super::nodes::{Resolution, SincField, SincNodes};
 use crate::Error;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
 use crate::contact::edges::{CLOSE, EndState, settle};
 use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
+use crate::contact::rough::nodes::{MOST_DENSE, RATIO};
 use crate::contact::rough::solved::{BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
 use crate::contact::search::{Equation, Start, unknown};
@@ -43,7 +44,7 @@ impl Effort {
     }
 
     /// About ten seconds.
-    pub(in crate::contact::rough) const MOST: Self = Self { nodes: 2400, work: 1e11 };
+    pub(in crate::contact::rough) const MOST: Self = Self { nodes: MOST_DENSE, work: 1e11 };
     /// About half a second, as long as an answer on panels with fast products takes.
     pub(in crate::contact::rough) const LITTLE: Self = Self { nodes: 900, work: 3e9 };
 }

@@ -7,11 +7,11 @@ use fredholm::collocation::first_half_count;
 
 use super::base::Base;
 use super::linearised::{Changes, Known, compared};
-use super::nodes::Discrete;
+use super::nodes::{Discrete, FEWEST, RATIO};
 use crate::contact::rates::Linearised;
 use crate::contact::setting::Setting;
 use crate::{ContactKind, Error};
-use nodes::{FEWEST, RATIO, Resolution, SincNodes};
+use nodes::{Resolution, SincNodes};
 
 pub(super) use equation::{Collocation, Effort};
 

@@ -12,14 +12,9 @@ use crate::contact::method::MethodName;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::frame::{Direction, Frame};
 use crate::contact::rough::nodes::{
-    Discrete, Field, Nodes, PLACES, Pressed, Response, Step, Task, between_nodes,
+    Discrete, FEWEST, Field, Nodes, PLACES, Pressed, RATIO, Response, Step, Task, between_nodes,
 };
 use crate::contact::zones::Zone;
-
-/// Fewest nodes on either side of the middle of a panel (survey).
-pub(super) const FEWEST: usize = 8;
-/// Growth of the number of nodes from one resolution to the next (survey).
-pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 
 /// A number of nodes with what can be shared among zones.
 pub(in crate::contact::rough) struct Resolution {
