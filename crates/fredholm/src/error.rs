@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum Error {
     /// A parameter lies outside the range in which the formula holds.
-    #[error("{name} = {value} is out of range: it must be {requirement}")]
+    #[error("{name} = {} is out of range: it must be {requirement}", plain(*value))]
     InvalidParameter {
         /// Name of the parameter.
         name: &'static str,
@@ -16,7 +16,7 @@ pub enum Error {
     },
 
     /// A function was asked for a value and gave NaN or an infinity.
-    #[error("the {what} is {value} at x = {at}: it must be finite on the whole interval")]
+    #[error("the {what} is {value} at x = {}: it must be finite on the whole interval", plain(*at))]
     NotFinite {
         /// Which function.
         what: &'static str,
@@ -48,7 +48,7 @@ pub enum Error {
 
     /// The operator `1 + parameter K` is singular to rounding: the parameter is `-1/nu` for an eigenvalue `nu` of `K`.
     #[error(
-        "1 + {parameter} K has the eigenvalue {smallest:e}, zero to rounding: the equation has no unique solution"
+        "1 + {} K has the eigenvalue {smallest:e}, zero to rounding: the equation has no unique solution", plain(*parameter)
     )]
     Singular {
         /// The parameter.
@@ -70,7 +70,7 @@ pub enum Error {
 
     /// The parameter makes `-1/parameter` a point of the continuous spectrum of `K` on the half-line, or lies beyond it.
     #[error(
-        "the parameter {parameter} must be greater than -1/{top} = {}: the operator on the half-line has the continuous spectrum [0, {top}], and the equation has no bounded inverse there", -1.0 / top
+        "the parameter {} must be greater than -1/{top} = {}: the operator on the half-line has the continuous spectrum [0, {top}], and the equation has no bounded inverse there", plain(*parameter), plain(-1.0 / top)
     )]
     InSpectrum {
         /// The parameter.
@@ -121,7 +121,7 @@ pub enum Error {
     },
 
     /// A method would need more of something than it has room for: the equation is sound.
-    #[error("the {what} comes out as {value}, and the method takes {limit}")]
+    #[error("the {what} comes out as {}, and the method takes {limit}", plain(*value))]
     BeyondMethod {
         /// What there would be more of.
         what: &'static str,
@@ -149,11 +149,34 @@ pub enum Error {
     },
 }
 
+/// A number as short as it can be read back: with an exponent where digits would only count zeros.
+fn plain(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() || (1e-7..1e16).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// How far an iteration was from its tolerance, if it came anywhere.
 fn missed(residual: f64, tolerance: f64) -> String {
     if residual.is_finite() {
         format!(": the relative residual is {residual:e} and should be at most {tolerance:e}")
     } else {
         ": nothing came near a solution".to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_many_digits_are_told_with_an_exponent() {
+        let singular = Error::Singular { parameter: -1e-170, smallest: 0.0 }.to_string();
+        assert!(singular.starts_with("1 + -1e-170 K has the eigenvalue"), "{singular}");
+        let large = Error::InvalidParameter { name: "h", value: 1e300, requirement: "at most 1e6" };
+        assert_eq!(large.to_string(), "h = 1e300 is out of range: it must be at most 1e6");
+        assert_eq!([plain(0.005), plain(-2.0), plain(f64::NAN)], ["0.005", "-2", "NaN"]);
     }
 }

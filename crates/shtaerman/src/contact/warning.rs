@@ -10,7 +10,7 @@ use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::bodies::Bodies;
 use crate::material;
-use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering};
+use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering, plain};
 
 /// Kind of a warning, stable across releases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -253,8 +253,9 @@ impl Warning {
     #[must_use]
     pub fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
         let unit = if modulus < material::STIFFEST { "GPa" } else { "MPa" };
+        let shown = plain(modulus);
         let message = format!(
-            "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} {unit}\" meant?"
+            "{key} = {shown} has no unit and is taken in Pa, which is softer than rubber: is \"{shown} {unit}\" meant?"
         );
         (modulus < material::SOFTEST).then_some(Self { code: WarningCode::SoftModulus, message })
     }
@@ -263,8 +264,9 @@ impl Warning {
     #[must_use]
     pub fn low_yield_stress(key: &str, stress: f64) -> Option<Self> {
         let unit = if stress < material::HARDEST { "MPa" } else { "kPa" };
+        let shown = plain(stress);
         let message = format!(
-            "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} {unit}\" meant?"
+            "{key} = {shown} has no unit and is taken in Pa, which no metal is as soft as: is \"{shown} {unit}\" meant?"
         );
         (stress < material::SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
     }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::catalogue::FAMILIES;
+use crate::quantity::plain;
 
 /// A parameter of a kernel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -127,7 +128,7 @@ pub enum KernelError {
         found: usize,
     },
     /// A parameter lies outside its range.
-    #[error("{parameter} = {value}: must be {requirement}")]
+    #[error("{parameter} = {}: must be {requirement}", plain(*value))]
     Refused {
         /// The parameter, as in a file.
         parameter: &'static str,
@@ -236,7 +237,7 @@ impl NamedKernel {
             text.push_str(" on the half-line");
         }
         for (name, value) in self.parameters() {
-            text.push_str(&format!(", {name} = {value}"));
+            text.push_str(&format!(", {name} = {}", plain(value)));
         }
         text
     }

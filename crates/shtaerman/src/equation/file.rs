@@ -172,7 +172,7 @@ fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
     let values: Vec<f64> = fields.iter().map(|(_, value)| *value).collect();
     NamedKernel::new(family, &values).map_err(|error| match error {
         KernelError::Refused { parameter, value, requirement, help } => {
-            let message = format!("is {value}: must be {requirement}");
+            let message = format!("is {}: must be {requirement}", quantity::plain(value));
             let at = family.parameters.iter().position(|known| known.name == parameter);
             let fault = match at.and_then(|index| fields.get(index)) {
                 Some((field, _)) => field.error(message),

@@ -66,7 +66,7 @@ pub enum Error {
 
     /// An answer leaves the range of double precision.
     #[error(
-        "the {quantity} comes out as {value}: load, profile and moduli together leave the range of double precision"
+        "the {quantity} comes out as {}: load, profile and moduli together leave the range of double precision", plain(*value)
     )]
     Overflow {
         /// Which part of the answer.
@@ -316,7 +316,7 @@ pub enum Error {
 
     /// The solution of an equation leaves the range of double precision.
     #[error(
-        "the {quantity} comes out as {value}: kernel, lambda and right-hand side together leave the range of double precision"
+        "the {quantity} comes out as {}: kernel, lambda and right-hand side together leave the range of double precision", plain(*value)
     )]
     EquationOverflow {
         /// Which part of the answer.

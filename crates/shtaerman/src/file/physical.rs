@@ -130,6 +130,7 @@ fn power_law(table: &TableReader<'_>) -> Result<Roughness, FileError> {
         let pressure = table.required("pressure")?;
         let value = pressure.quantity(Dimension::PRESSURE)?;
         if !(value.is_finite() && value > 0.0) {
+            let value = shown("pressure", value);
             return Err(pressure.error(format!("is {value}: must be greater than zero")));
         }
         field.quantity(Dimension::LENGTH)? / value.powf(exponent)

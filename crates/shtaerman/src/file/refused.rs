@@ -17,7 +17,7 @@ pub(super) fn refused(field: &Field<'_>, error: &Error) -> FileError {
 /// A value as people write it, in the unit of the key.
 pub(super) fn shown(key: &str, value: f64) -> String {
     match key {
-        "young_modulus" | "grading_modulus" | "yield_stress" => {
+        "young_modulus" | "grading_modulus" | "yield_stress" | "pressure" => {
             engineering(value, Dimension::PRESSURE)
         }
         "half_width" => engineering(value, Dimension::LENGTH),

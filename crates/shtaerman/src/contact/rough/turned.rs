@@ -96,8 +96,7 @@ impl Unit {
             let on = (count.max(FEWEST), &[(0.0, 1.0)][..]);
             Self::new(base, kernel, &hull, on, &[]).map(|unit| (unit, count as f64 >= room))
         };
-        let (mut finest, _) = on_level(0)?;
-        let mut before = [f64::INFINITY; 2];
+        let (mut finest, mut before) = (on_level(0)?.0, [f64::INFINITY; 2]);
         for level in 1.. {
             let (finer, is_most) = on_level(level)?;
             let change = finer.differences(&finest);

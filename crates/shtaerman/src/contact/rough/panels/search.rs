@@ -120,9 +120,10 @@ impl<'b> ManyPanels<'b> {
         Ok((solved, left))
     }
 
-    /// Nothing is left where the whole base is kept in contact.
+    /// Nothing is left where the whole base is kept in contact, or where there will be no answer.
     fn left(&self, solved: &OnZones, allowed: f64) -> Check {
-        if self.base.is_bilateral { Check::none() } else { check(self.base, solved, allowed) }
+        let is_moot = self.base.is_bilateral || self.base.problem().deadline().is_spent();
+        if is_moot { Check::none() } else { check(self.base, solved, allowed) }
     }
 
     /// Looks at places where something was left, too.
