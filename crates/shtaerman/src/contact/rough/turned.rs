@@ -65,8 +65,8 @@ impl Unit {
             let grid = base.ground.grid(half_count)?;
             Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, panels)?)
         };
-        let count = operator.count();
-        base.problem().deadline().spend(base.ground.entry() * (count as f64).powi(2));
+        let (count, size) = (operator.count(), operator.count() as f64);
+        base.problem().deadline().spend((base.ground.entry() + size) * size * size);
         let slope = |k: usize| given.get(k).map_or(1.0, |v| base.layer.slope(*v));
         let parameter = base.strength() * base.ground.scale(hull);
         let factor =
