@@ -198,7 +198,7 @@ impl<F: Field> Solution for RoughContact<F> {
     }
 
     fn method(&self) -> Method {
-        let of_tilt = self.tilted.as_ref().map_or(0, Tilted::nodes);
+        let of_tilt = self.tilted.as_ref().map_or(0, |tilted| tilted.unit.nodes());
         Method { name: F::NAME, n: self.solved.given.len().max(of_tilt) }
     }
 

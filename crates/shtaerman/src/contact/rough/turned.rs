@@ -12,7 +12,7 @@ use fredholm::{SincOperator, SincSolution};
 use super::base::Base;
 use super::nodes::{FEWEST, Field, MOST_DENSE, PLACES, RATIO, between_nodes};
 use super::solved::{Solved, largest};
-use crate::contact::accuracy::Accuracy;
+use crate::contact::accuracy::{Accuracy, SAFETY};
 use crate::contact::balance::State;
 use crate::contact::ground::{Hull, SharedKernel};
 use crate::contact::parts::Smoothness;
@@ -28,7 +28,7 @@ use crate::{Error, Rotational, Vertical};
 #[derive(Debug, Clone)]
 pub(super) struct Tilted {
     /// For `-alpha0 = 1`.
-    unit: Unit,
+    pub(super) unit: Unit,
     /// What is left of its error by its resolutions and rounding: of the pressure, and of `dM0/d(-alpha0)`.
     off: [f64; 2],
     /// `alpha0`.
@@ -40,7 +40,7 @@ pub(super) struct Tilted {
 
 /// The pressure `q` of `q + theta W_1 (dp0/dv q) = r`.
 #[derive(Debug, Clone)]
-struct Unit {
+pub(super) struct Unit {
     solution: SincSolution,
     /// What it changes by with `ln theta0`.
     changed: SincSolution,
@@ -78,6 +78,10 @@ impl Unit {
         Ok(Self { solution, changed: factor.solve(&body)?, turning })
     }
 
+    pub(super) fn nodes(&self) -> usize {
+        self.solution.values().len()
+    }
+
     /// Differences of the pressure between the nodes, and of `dM0/d(-alpha0)`.
     fn differences(&self, other: &Self) -> [f64; 2] {
         let off = |r: f64| (self.solution.evaluate(r, r) - other.solution.evaluate(r, r)).abs();
@@ -89,16 +93,16 @@ impl Unit {
     fn resolved(base: &Base, kernel: &SharedKernel) -> Result<(Self, [f64; 2]), Error> {
         let (deadline, room) = (base.problem().deadline(), (MOST_DENSE / 2) as f64);
         let tolerance = base.problem().solver().tolerance.unwrap_or(AIM);
-        let hull = base.ground.hull(0.0, 1.0, base.surface.origin);
         let first = first_half_count(base.steepness()).max(base.ground.first_half_count(1.0));
         let on_level = |level: i32| {
-            let count = (first * RATIO.powi(level - 2)).min(room).round() as usize;
-            let on = (count.max(FEWEST), &[(0.0, 1.0)][..]);
-            Self::new(base, kernel, &hull, on, &[]).map(|unit| (unit, count as f64 >= room))
+            let count = (first.min(room) * RATIO.powi(level - 2)).round() as usize;
+            let hull = base.ground.hull(0.0, 1.0, base.surface.origin);
+            Self::new(base, kernel, &hull, (count.max(FEWEST), &[(0.0, 1.0)]), &[])
         };
-        let (mut finest, mut before) = (on_level(0)?.0, [f64::INFINITY; 2]);
+        let (mut finest, mut before) = (on_level(0)?, [f64::INFINITY; 2]);
         for level in 1.. {
-            let (finer, is_most) = on_level(level)?;
+            let finer = on_level(level)?;
+            let is_most = finer.nodes() as f64 * RATIO > MOST_DENSE as f64;
             let change = finer.differences(&finest);
             let size = largest(finer.solution.values());
             let rounding = collocation::rounding(&finer.solution);
@@ -185,10 +189,6 @@ impl Tilted {
         self.tilt.abs() * largest(self.unit.solution.values())
     }
 
-    pub(super) fn nodes(&self) -> usize {
-        self.unit.solution.values().len()
-    }
-
     /// The errors of a solution in this state with those of the tilt.
     fn accuracy(&self, accuracy: Accuracy, state: &State) -> Accuracy {
         let (tilt, moment) = (state.tilt.abs(), state.moment.abs());
@@ -241,8 +241,8 @@ impl Tilted {
             Rotational::Eccentricity(e) => by_force(e),
         }
         even.rates[0][3] -= sign * tilt * changed.evaluate(r, elastic);
-        // As near as the unit pressure is known to its own moment.
-        let size = self.off[1] / turning;
+        // As near as the unit pressure and its moment are known.
+        let size = SAFETY * (self.off[1] / turning).max(self.off[0] / largest(unit.values()));
         for (rates, errors) in even.rates.iter_mut().zip(&mut even.errors) {
             rates[3] -= sign * rates[2] * unit.evaluate(r, r);
             errors[2] += size * rates[2].abs();
