@@ -1,7 +1,7 @@
 //! The tilt of a circular punch: the pressure `p1(r) cos(phi)` beside that without angle.
 //!
-//! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf t^mu J_1(r t) J_1(s t) dt`, `mu` that of a graded body, `M0 = pi int p1 r^2 dr`: on the zones of the pressure
-//! without angle, and on its nodes.
+//! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf t^mu J_1(r t) J_1(s t) dt`, `mu` that of a graded body, `M0 = pi int p1 r^2 dr`. Where
+//! a linear layer touches all over it has a resolution of its own; else it is found, for the stiffness alone, on the zones and nodes of the pressure without angle.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
