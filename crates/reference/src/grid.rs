@@ -36,7 +36,9 @@ pub(crate) struct Fineness {
 }
 
 /// What the places of joints of panels are off by: some units of the machine on `[-1, 1]`.
-pub(crate) const JOINED: f64 = 4.0 * f64::EPSILON;
+const JOINED: f64 = 4.0 * f64::EPSILON;
+/// The shortest panel: on power kernels shorter ones would be as many as 1/(1 - mu) asks for.
+const NEAREST: f64 = 1e-26;
 
 /// Panels with their nodes.
 #[derive(Debug, Clone)]
@@ -59,10 +61,24 @@ impl Grid {
         Self { panels, rule: Rule::new(nodes), quadrature, legendre }
     }
 
-    /// Whether a place is within some units of the machine of where two panels meet: by so much these are off to either side.
-    pub(crate) fn is_beside_joint(&self, x: f64) -> bool {
-        let ends = self.panels.iter().flat_map(|panel| [panel.at(-1.0).x(), panel.at(1.0).x()]);
-        ends.into_iter().any(|end| (end - x).abs() <= JOINED)
+    /// By how much the panels beside a place are off: by what two are apart or overlap where they meet without an anchor in common, by what is too near to be resolved at the ends of zones, and by nothing
+    /// elsewhere.
+    pub(crate) fn unresolved(&self, x: f64) -> f64 {
+        let is_at = |place: Place| (place.x() - x).abs() <= JOINED;
+        let of_pair = |pair: &[Panel]| {
+            let [one, two] = [pair[0], pair[1]];
+            match [one.at(1.0), two.at(-1.0)].map(is_at) {
+                [true, true] if one.anchor != two.anchor => JOINED,
+                [true, true] | [false, false] => 0.0,
+                _ => NEAREST,
+            }
+        };
+        let outermost = [
+            self.panels.first().map(|panel| panel.at(-1.0)),
+            self.panels.last().map(|panel| panel.at(1.0)),
+        ];
+        let at_end = if outermost.into_iter().flatten().any(is_at) { NEAREST } else { 0.0 };
+        self.panels.windows(2).map(of_pair).fold(at_end, f64::max)
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -242,8 +258,12 @@ pub(crate) fn panels(
     let mut cutter = Cutter::new(zones, base, fineness);
     for &[left, right] in zones {
         let least = (right - left) * fineness.shortest / (1.0 + theta);
-        let least = least.powf(1.0 / (1.0 - kernel.exponent())).max(1e-26);
-        let mut cuts = vec![(left, Some(least))];
+        let least = least.powf(1.0 / (1.0 - kernel.exponent())).max(NEAREST);
+        // The axis of a disk is no end, unless the base has its tip there.
+        let is_smooth_axis = matches!(kernel, Kernel::Disk { .. })
+            && left == 0.0
+            && !breaks.iter().any(|cut| cut.at == 0.0 && cut.is_sharp);
+        let mut cuts = vec![(left, (!is_smooth_axis).then_some(least))];
         let inside = breaks.iter().filter(|cut| left < cut.at && cut.at < right);
         cuts.extend(inside.map(|cut| (cut.at, cut.is_sharp.then_some(least))));
         cuts.push((right, Some(least)));

@@ -53,12 +53,11 @@ impl Kernel<'_> {
             Self::Row { period } => -(2.0 * (PI * d / period).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
             Self::Disk { exponent, harmonic } => {
-                (x + d)
-                    * if exponent == 0.0 {
-                        circle(x, d, harmonic)
-                    } else {
-                        graded(constants, x, d, exponent, harmonic)
-                    }
+                if exponent == 0.0 {
+                    (x + d) * circle(x, d, harmonic)
+                } else {
+                    graded(constants, x, d, exponent, harmonic)
+                }
             }
         }
     }
@@ -126,7 +125,7 @@ fn circle(x: f64, d: f64, harmonic: u8) -> f64 {
     }
 }
 
-/// `pi int_0^inf t^mu J_m(x t) J_m(s t) dt`, the mean over the angle of `C |x - s e^(i phi)|^-2a cos(m phi)`, `2a = 1 + mu`, by hypergeometric series: of `k^2` below 1/2, of `1 - k^2` above.
+/// `s pi int_0^inf t^mu J_m(x t) J_m(s t) dt`, `s = x + d`, the mean over the angle of `s C |x - s e^(i phi)|^-2a cos(m phi)`, `2a = 1 + mu`, by hypergeometric series: of `k^2` below 1/2, of `1 - k^2` above.
 fn graded(constants: &[f64; 3], x: f64, d: f64, mu: f64, harmonic: u8) -> f64 {
     let [strength, near, far] = constants;
     let (small, large) = if d < 0.0 { (x + d, x) } else { (x, x + d) };
@@ -142,7 +141,8 @@ fn graded(constants: &[f64; 3], x: f64, d: f64, mu: f64, harmonic: u8) -> f64 {
         near * series(a, b, 1.0 + mu, defect)
             + far * defect.powf(-mu) * series(c - a, c - b, 1.0 - mu, defect)
     };
-    strength * lead * value * large.powf(-2.0 * half)
+    // On the axis places are so near to it that the power of both together overflows.
+    strength * lead * value * ((x + d) / large) * large.powf(-mu)
 }
 
 /// `pi C`, and the factors of both series in `1 - k^2`, where `c - a - b = -mu` (Abramowitz & Stegun 15.3.6).

@@ -1,6 +1,6 @@
 //! Two solutions, and what their difference says.
 
-use crate::grid::{Fineness, JOINED};
+use crate::grid::Fineness;
 use crate::kernel::Kernel;
 use crate::panel::Place;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
@@ -214,13 +214,12 @@ impl Reference<'_> {
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];
         let [one, two] = layers.map(at);
-        // Where panels meet a gap or an overlap of some units of the machine remains, which a power kernel weighs by its own power.
+        // A power kernel weighs what is not resolved beside a place by its own power; the axis of a disk is no end.
         let rest = 1.0 - self.problem.kernel.exponent();
-        let joined = if self.fine.grid.is_beside_joint(x) || self.coarse.grid.is_beside_joint(x) {
-            self.problem.theta * at(layers[1]).abs() * 2.0 * JOINED.powf(rest) / rest
-        } else {
-            0.0
-        };
+        let is_axis = x == 0.0 && matches!(self.problem.kernel, Kernel::Disk { .. });
+        let unresolved = self.fine.grid.unresolved(x).max(self.coarse.grid.unresolved(x));
+        let weighed = if is_axis { 0.0 } else { unresolved.powf(rest) / rest };
+        let joined = self.problem.theta * at(layers[1]).abs() * 2.0 * weighed;
         let off = self.rounding + joined;
         let rounded = (at(layers[1] + off) - at(layers[1] - off)).abs();
         let on_panel = smooth::find(self.problem, &self.fine, x)

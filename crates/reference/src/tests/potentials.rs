@@ -1,5 +1,7 @@
 use std::f64::consts::PI;
 
+use libm::tgamma;
+
 use crate::{Kernel, Transferred, potential};
 
 /// `x`, `d`, `mu`, `m`, value: mpmath 1.3, 30 digits, `2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2)` times the integral over the angle from 0 to pi of `|x - s e^(i phi)|^-(1+mu) cos(m phi)`.
@@ -52,6 +54,13 @@ fn of_disks() {
     // E(1/2) by mpmath: ellipe(0.25) = 1.46746220933942715545979526699
     close(potential(&kernel, &panels, &|_| 1.0, 0.5), 2.0 * 1.467_462_209_339_427_2, 2e-15);
     close(potential(&kernel, &panels, &|_| 1.0, 1e-9), PI, 2e-15);
+    // On the axis of graded ground, a uniform pressure: pi 2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2)/(1-mu); beyond 0.89 parts of the kernel there would overflow.
+    for mu in [0.2, 0.6, 0.9, 0.94] {
+        let strength = PI * f64::exp2(mu) * tgamma(0.5 * (1.0 + mu)) / tgamma(0.5 * (1.0 - mu));
+        let kernel = Kernel::Disk { exponent: mu, harmonic: 0 };
+        let found = potential(&kernel, &panels, &|_| 1.0, 0.0);
+        close(found, strength / (1.0 - mu), 1e-14 / (1.0 - mu));
+    }
     // The graded kernel tends to the homogeneous one, of both harmonics.
     for harmonic in [0, 1] {
         for (x, d) in [(0.3, 0.2), (0.7, -0.69), (0.5, 1e-3), (0.4, 0.6)] {

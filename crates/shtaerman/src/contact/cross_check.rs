@@ -13,8 +13,8 @@ use super::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Scaling, Vertical};
 
-/// Places at which pressures are compared: evenly over the base, and beside each end of a zone.
-const EVENLY: u32 = 96;
+/// Places at which pressures are compared: evenly over the base, an odd number as panels of the reference meet between halves and know least there, in the middle, and beside each end of a zone.
+const EVENLY: u32 = 97;
 const BESIDE: u32 = 12;
 /// The same on a smooth surface, where the rounding of a place is a large share of its distance from an end.
 const BESIDE_SINGULAR: u32 = 4;
@@ -347,11 +347,11 @@ impl<'a> Posing<'a> {
     /// Where pressures are compared.
     fn places(&self, contact: &Contact) -> Vec<f64> {
         let place = |i: u32| 2.0 * f64::from(i) / f64::from(EVENLY) - 1.0;
-        let mut places: Vec<f64> = (0..=EVENLY).map(place).collect();
+        let mut places: Vec<f64> = (0..=EVENLY).map(place).chain([0.0]).collect();
         for [left, right] in contact.solution().zones() {
-            let half = 0.5 * (right - left);
+            let reach = 0.45 * (right - left);
             let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };
-            let beside = (0..=nearest).map(|k| half * 0.1f64.powi(k as i32));
+            let beside = (0..=nearest).map(|k| reach * 0.1f64.powi(k as i32));
             places.extend(beside.flat_map(|d| [left + d, right - d]));
             places.extend([left, right]);
         }
