@@ -65,9 +65,14 @@ impl Density {
         self.clusters.len() - 1
     }
 
-    /// How often a panel, or several together, were looked at from places that lie together.
+    /// How often a panel, or several together, were looked at from places that lie together, and what else counts as such looks.
     pub(crate) fn looks(&self) -> u64 {
         self.looks.get()
+    }
+
+    /// Counts what takes as long as so many looks.
+    pub(crate) fn count(&self, looks: u64) {
+        self.looks.set(self.looks.get() + looks);
     }
 
     /// The largest size.
@@ -204,7 +209,7 @@ impl Density {
             };
             sums.add(sign, &values, &roundings);
         }
-        self.looks.set(self.looks.get() + looks);
+        self.count(looks);
     }
 
     /// Potentials of a single panel, of which some places of those that are longer together than it may be far.

@@ -4,6 +4,8 @@
 const PANELS: [usize; 2] = [4_000, 12];
 /// Looks at panels, likewise (survey: of 200 plausible problems 1.7 million at most, of traces up to 900 a point).
 const LOOKS: [u64; 2] = [5_000_000, 2_000];
+/// Looks that take as long as the bounds of the heights on a window (survey: 4 us beside 0.28, of a formula that could not be resolved; of 200 plausible problems 7,000 windows at most, 8 a point of traces).
+pub(crate) const WINDOW: u64 = 15;
 /// Of the places where a pressure may bend so many count: what is kept has an end.
 const MOST_CUTS: usize = 20_000;
 

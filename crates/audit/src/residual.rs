@@ -8,6 +8,7 @@ use std::cell::Cell;
 
 use crate::allowance::UNIT;
 use crate::density::Density;
+use crate::effort::WINDOW;
 use crate::heights::Known;
 use crate::profile::Profile;
 
@@ -136,6 +137,7 @@ impl Residual<'_> {
             .map(|pair| Open { left: pair[0], right: pair[1], is_end: [true; 2] })
             .collect();
         while let Some(open) = stack.pop() {
+            self.density.count(WINDOW);
             let Open { left, right, is_end } = open;
             let middle = open.cut();
             let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));

@@ -30,7 +30,7 @@ pub(crate) mod work {
     pub(crate) const TERM: f64 = 50.0;
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
     pub(crate) const SLOPE: f64 = 3200.0;
-    pub(crate) const DERIVATIVE: f64 = 8000.0;
+    pub(crate) const DERIVATIVE: f64 = 10_000.0;
     /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
     pub(crate) const DERIVATIVES: u32 = 20_000;
 }
