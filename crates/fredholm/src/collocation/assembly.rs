@@ -1,7 +1,7 @@
 //! The scaled symmetric matrix of a kernel on a mesh, split by parity where that is possible.
 
 use super::entries::{Entries, Scratch, with_mass};
-use super::mesh::Mesh;
+use super::mesh::{Mesh, Place};
 use crate::kernel::Kernel;
 use crate::linear::{dot, multiply_rows, sum, vectorised};
 use crate::{Error, memory};
@@ -298,6 +298,22 @@ fn mirror(matrix: &mut [f64], order: usize) {
     }
 }
 
+/// What lies before a node, of which the masses vanish, has of the potential of a constant at the left end of the interval, over what that node has: `m K(0, s)` goes as `s^-q` at the centre of a disk. The sum
+/// over nodes is the integral from half a step before the first one on.
+fn corner_share(kernel: &dyn Kernel, mesh: &Mesh, node: usize) -> f64 {
+    let q = kernel.singularity().exponent();
+    let share = |(place, weight): (Place, &f64)| weight * place.from_left.powf(-q);
+    let nodes = || mesh.places().zip(mesh.weights());
+    let beyond = |(place, weight): (Place, &f64)| {
+        place.from_left.powf(1.0 - q) / (1.0 - q) - 0.5 * share((place, weight))
+    };
+    let before = nodes().take(node).map(share).sum::<f64>();
+    match [nodes().next(), nodes().nth(node)] {
+        [Some(first), Some(node)] => (before + beyond(first)) / share(node),
+        _ => 0.0,
+    }
+}
+
 /// `m_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
 pub(super) fn boundary_rows(kernel: &dyn Kernel, mesh: &Mesh, masses: &[f64]) -> Vec<f64> {
     let boundaries = mesh.boundaries().len();
@@ -317,6 +333,9 @@ pub(super) fn boundary_rows(kernel: &dyn Kernel, mesh: &Mesh, masses: &[f64]) ->
         for (entry, mass) in row.iter_mut().zip(&masses[inside.clone()]) {
             *entry = if *mass > 0.0 { mass * *entry } else { 0.0 };
         }
+    }
+    if kernel.settled() > 0.0 {
+        rows[inside.start] *= 1.0 + corner_share(kernel, mesh, inside.start);
     }
     if is_even {
         let mirrored: Vec<f64> =

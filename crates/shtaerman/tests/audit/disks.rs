@@ -90,3 +90,24 @@ fn what_turns_alone_has_a_resolution_of_its_own() {
         }
     }
 }
+
+#[test]
+fn pressures_on_the_axis_of_strongly_graded_ground() {
+    for exponent in [0.93, 0.95, 0.97, 0.98] {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = 0.1\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"0\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let [axis, beside] = [0.0, 1e-4].map(|r| contact.pressure(r).unwrap());
+        // It grows by 0.0078 r^2.
+        let off = (axis - beside).abs();
+        assert!(off <= 2.0 * stated + 1e-10, "{exponent}: off by {off:e}, {stated:e} stated");
+        if exponent == 0.95 {
+            // By product integration, to 1.1e-12.
+            let off = (axis - 0.310_406_681_769_685).abs();
+            assert!(off <= stated + 1.1e-12, "off by {off:e}, {stated:e} stated");
+            assert!(stated < 1e-7, "{stated:e}");
+        }
+    }
+}
