@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// What a search does, in cubes of the numbers of unknowns of dense systems (survey: 14 of the slowest problems found by random input end in 1.3 to 4.5 s).
+/// What a search does, in cubes of the numbers of unknowns of dense systems (survey: 15 of the slowest problems found by random input end in 1.3 to 4.9 s).
 pub(crate) mod work {
     /// What a search may do, three to four seconds, and as much again for so many measured points.
     pub(crate) const MOST: f64 = 0.95e11;

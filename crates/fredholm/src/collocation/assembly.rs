@@ -298,8 +298,8 @@ fn mirror(matrix: &mut [f64], order: usize) {
     }
 }
 
-/// What lies before a node, of which the masses vanish, has of the potential of a constant at the left end of the interval, over what that node has: `m K(0, s)` goes as `s^-q` at the centre of a disk. The sum
-/// over nodes is the integral from half a step before the first one on.
+/// The part of the potential of a constant at the left end of the interval that comes from before a node, where masses vanish, over the part of that node: `m K(0, s)` goes as `s^-q` at the centre of a disk. The
+/// sum over nodes is the integral from half a step before the first one on; what lies before that is added.
 fn corner_share(kernel: &dyn Kernel, mesh: &Mesh, node: usize) -> f64 {
     let q = kernel.singularity().exponent();
     let share = |(place, weight): (Place, &f64)| weight * place.from_left.powf(-q);
