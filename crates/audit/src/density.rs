@@ -7,8 +7,9 @@ use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR};
 use crate::kernel::Kernel;
 use crate::legendre;
-use crate::near::{Places, Recurrence};
+use crate::near::{Distances, Recurrence};
 use crate::panel::Panel;
+use crate::places::Places;
 use crate::potentials::Sums;
 use crate::row::Regular;
 use crate::vectorised::vectorised;
@@ -100,20 +101,23 @@ impl Density {
     }
 
     /// The same at places from left to right.
-    pub(crate) fn values(&self, places: &[f64]) -> Vec<(f64, f64)> {
-        let mut found = Vec::with_capacity(places.len());
+    pub(crate) fn values(&self, places: &Places<'_>) -> Vec<(f64, f64)> {
+        let Places { from, offsets } = *places;
+        let mut found = Vec::with_capacity(offsets.len());
         let mut own = [0.0; MOST];
         let mut values = [0.0; MOST];
-        while let Some(x) = places.get(found.len()) {
-            let Some(index) = self.panel_at(*x) else {
+        while let Some(first) = offsets.get(found.len()) {
+            let index = self.panels.partition_point(|panel| panel.right - from < *first);
+            let beside = |panel: &&Panel| panel.left - from <= *first;
+            let Some(panel) = self.panels.get(index).filter(beside) else {
                 found.push((0.0, 0.0));
                 continue;
             };
-            let panel = &self.panels[index];
-            let rest = places[found.len()..].iter().take(MOST).take_while(|x| **x <= panel.right);
+            let end = panel.right - from;
+            let rest = offsets[found.len()..].iter().take(MOST).take_while(|x| **x <= end);
             let mut count = 0;
-            for (own, x) in own.iter_mut().zip(rest) {
-                *own = panel.own(*x);
+            for (own, offset) in own.iter_mut().zip(rest) {
+                *own = panel.own_from(from, *offset);
                 count += 1;
             }
             legendre::evaluate_all(&panel.coefficients, &own[..count], &mut values[..count]);
@@ -125,54 +129,55 @@ impl Density {
     /// `int K(x, t) q(t) dt` and a bound of its rounding.
     pub(crate) fn potential(&self, x: f64) -> (f64, f64) {
         let mut found = [(0.0, 0.0)];
-        self.potentials(&[x], &mut found);
+        self.potentials(&Places::numbers(&[x]), &mut found);
         found[0]
     }
 
     /// The same at places that lie together, into as many entries, which costs less than one by one.
-    pub(crate) fn potentials(&self, places: &[f64], found: &mut [(f64, f64)]) {
-        for (places, found) in places.chunks(WIDE).zip(found.chunks_mut(WIDE)) {
-            if places.len() <= NARROW {
-                self.potentials_of::<NARROW>(places, found);
+    pub(crate) fn potentials(&self, places: &Places<'_>, found: &mut [(f64, f64)]) {
+        let from = places.from;
+        for (offsets, found) in places.offsets.chunks(WIDE).zip(found.chunks_mut(WIDE)) {
+            if offsets.len() <= NARROW {
+                self.potentials_of::<NARROW>(from, offsets, found);
             } else {
-                self.potentials_of::<WIDE>(places, found);
+                self.potentials_of::<WIDE>(from, offsets, found);
             }
         }
     }
 
     /// Of at most `N` places.
-    fn potentials_of<const N: usize>(&self, places: &[f64], found: &mut [(f64, f64)]) {
-        let Some(last) = places.last() else { return };
+    fn potentials_of<const N: usize>(&self, from: f64, offsets: &[f64], found: &mut [(f64, f64)]) {
+        let Some(last) = offsets.last() else { return };
         let mut all = [*last; N];
-        all[..places.len()].copy_from_slice(places);
+        all[..offsets.len()].copy_from_slice(offsets);
         let sums = vectorised(
             #[inline(always)]
-            || self.summed(&all).finished(),
+            || self.summed(from, &all).finished(),
         );
-        found.copy_from_slice(&sums[..places.len()]);
+        found.copy_from_slice(&sums[..offsets.len()]);
     }
 
     #[inline(always)]
-    fn summed<const N: usize>(&self, places: &[f64; N]) -> Sums<N> {
+    fn summed<const N: usize>(&self, from: f64, offsets: &[f64; N]) -> Sums<N> {
         let mut sums = Sums::NONE;
         let Some(root) = self.clusters.last() else { return sums };
         match self.kernel {
-            Kernel::Logarithm => self.add_singular(places, -1.0, &mut sums),
+            Kernel::Logarithm => self.add_singular(from, offsets, -1.0, &mut sums),
             Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
-                self.add_singular(places, -1.0, &mut sums);
+                self.add_singular(from, offsets, -1.0, &mut sums);
                 // Interpolation reproduces a constant, so that windows need not know of it. The integral is compensated; the constant is a rounded logarithm.
                 let constant = self.kernel.constant();
                 let rounding = 8.0 * constant.abs() * root.mass;
                 sums.add(1.0, &[constant * root.integral(); N], &[rounding; N]);
             }
-            Kernel::Power { .. } => self.add_singular(places, 1.0, &mut sums),
+            Kernel::Power { .. } => self.add_singular(from, offsets, 1.0, &mut sums),
             Kernel::Row { period } => {
                 for image in [0.0, -period, period] {
-                    let mut moved = *places;
-                    moved.iter_mut().for_each(|x| *x += image);
-                    self.add_singular(&moved, -1.0, &mut sums);
+                    self.add_singular(from + image, offsets, -1.0, &mut sums);
                 }
-                let (values, rounding) = self.regular.at(places);
+                let mut places = *offsets;
+                places.iter_mut().for_each(|x| *x += from);
+                let (values, rounding) = self.regular.at(&places);
                 sums.add(1.0, &values, &[rounding; N]);
             }
         }
@@ -181,10 +186,16 @@ impl Density {
 
     /// Adds `sign int sigma(|x - t|) q(t) dt`.
     #[inline(always)]
-    fn add_singular<const N: usize>(&self, places: &[f64; N], sign: f64, sums: &mut Sums<N>) {
+    fn add_singular<const N: usize>(
+        &self,
+        from: f64,
+        offsets: &[f64; N],
+        sign: f64,
+        sums: &mut Sums<N>,
+    ) {
         let singularity = self.kernel.singularity();
         let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
-        for x in places {
+        for x in offsets {
             first = first.min(*x);
             last = last.max(*x);
         }
@@ -197,15 +208,16 @@ impl Density {
             count -= 1;
             looks += 1;
             let cluster = &self.clusters[stack[count]];
-            let distance = (first - cluster.centre).max(cluster.centre - last);
+            let from_centre = from - cluster.centre;
+            let distance = (from_centre + first).max(-(from_centre + last));
             let [values, roundings] = if distance >= FAR * cluster.radius {
-                cluster.potentials(singularity, places, distance, total)
+                cluster.potentials(singularity, from_centre, offsets, distance, total)
             } else if let Some(children) = cluster.children {
                 stack[count..count + 2].copy_from_slice(&children);
                 count += 2;
                 continue;
             } else {
-                self.beside(cluster, places)
+                self.beside(cluster, from, offsets)
             };
             sums.add(sign, &values, &roundings);
         }
@@ -214,32 +226,40 @@ impl Density {
 
     /// Potentials of a single panel, of which some places of those that are longer together than it may be far.
     #[inline(always)]
-    fn beside<const N: usize>(&self, cluster: &Cluster, places: &[f64; N]) -> [[f64; N]; 2] {
+    fn beside<const N: usize>(
+        &self,
+        cluster: &Cluster,
+        from: f64,
+        offsets: &[f64; N],
+    ) -> [[f64; N]; 2] {
         let least = FAR * cluster.radius;
-        let is_far = |x: f64| (x - cluster.centre).abs() >= least;
-        let (mut near, mut far) = (*places, *places);
+        let from_centre = from - cluster.centre;
+        let is_far = |offset: f64| (from_centre + offset).abs() >= least;
+        let (mut near, mut far) = (*offsets, *offsets);
         let (mut nearest, mut is_any_far) = (f64::INFINITY, false);
         for i in 0..N {
-            if is_far(places[i]) {
+            if is_far(offsets[i]) {
                 is_any_far = true;
-                nearest = nearest.min((places[i] - cluster.centre).abs());
-                near[i] = cluster.centre;
+                nearest = nearest.min((from_centre + offsets[i]).abs());
+                near[i] = -from_centre;
             } else {
-                far[i] = cluster.centre + 2.0 * least;
+                far[i] = 2.0 * least - from_centre;
             }
         }
         let index = cluster.first;
         let panel = &self.panels[index];
-        let mut seen = Places { from_left: near, to_right: near };
-        seen.from_left.iter_mut().for_each(|x| *x -= panel.left);
-        seen.to_right.iter_mut().for_each(|x| *x = panel.right - *x);
+        let mut seen = Distances { from_left: near, to_right: near };
+        let (from_left, to_right) = (from - panel.left, panel.right - from);
+        seen.from_left.iter_mut().for_each(|x| *x += from_left);
+        seen.to_right.iter_mut().for_each(|x| *x = to_right - *x);
         let mut found = self.recurrence.potentials(panel, self.scales[index], &seen);
         if is_any_far {
             let nearest = nearest.min(2.0 * least);
-            let other =
-                cluster.potentials(self.kernel.singularity(), &far, nearest, self.largest_mass());
+            let singularity = self.kernel.singularity();
+            let total = self.largest_mass();
+            let other = cluster.potentials(singularity, from_centre, &far, nearest, total);
             for i in 0..N {
-                if is_far(places[i]) {
+                if is_far(offsets[i]) {
                     found[0][i] = other[0][i];
                     found[1][i] = other[1][i];
                 }
@@ -346,6 +366,35 @@ mod tests {
             );
         }
         println!("largest share of the bound: {worst}");
+    }
+
+    #[test]
+    fn places_between_numbers_of_the_machine_are_no_less_exact() {
+        let mut steep = 0;
+        for line in include_str!("../tests/data/between.csv").lines() {
+            let row: Vec<&str> = line.split(',').collect();
+            let [mu, from, offset]: [f64; 3] = std::array::from_fn(|i| row[i].parse().unwrap());
+            let (kernel, sign) = if mu == 0.0 {
+                (Kernel::Logarithm, -1.0)
+            } else {
+                (Kernel::Power { exponent: mu }, 1.0)
+            };
+            let density = Density::new(kernel, panels());
+            let places = Places { from, offsets: &[offset] };
+            let mut found = [(0.0, 0.0)];
+            density.potentials(&places, &mut found);
+            let [(potential, rounding)] = found;
+            let error = off(sign * potential, row[3]);
+            assert!(error <= rounding, "{line}: off by {error:e}, said {rounding:e}");
+            let (value, rounding) = density.values(&places)[0];
+            let error = off(value, row[4]);
+            assert!(
+                error <= rounding + UNIT * value.abs(),
+                "{line}: off by {error:e}, said {rounding:e}"
+            );
+            steep += usize::from(off(density.value(from + offset).0, row[4]) > 100.0 * rounding);
+        }
+        assert!(steep > 10, "at numbers of the machine the density is hardly another: {steep}");
     }
 
     /// What is assumed of the machine's functions: errors of at most one unit in the last place.

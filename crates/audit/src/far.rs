@@ -80,7 +80,7 @@ impl Cluster {
         self.moments[0] + self.lost
     }
 
-    /// Its potential, and roundings in units of the machine, at places that are at least `distance >= FAR r` from its centre, `total` the mass of all panels.
+    /// Its potential, and roundings in units of the machine, at places that are `from_centre + offset` from its centre, at least `distance >= FAR r`, `total` the mass of all panels.
     ///
     /// `ln|x - t| = ln|d| - sum (y/d)^k/k` and `|x - t|^-mu = |d|^-mu sum (mu)_k/k! (y/d)^k`, `d = x - c`, `y = t - c`.
     ///
@@ -90,7 +90,8 @@ impl Cluster {
     pub(crate) fn potentials<const N: usize>(
         &self,
         singularity: Singularity,
-        places: &[f64; N],
+        from_centre: f64,
+        offsets: &[f64; N],
         distance: f64,
         total: f64,
     ) -> [[f64; N]; 2] {
@@ -104,7 +105,7 @@ impl Cluster {
         let left_out = 0.5 * self.mass * least.powi(-(terms as i32)) / UNIT;
         let [mut inverses, mut distances, mut sums] = [[0.0; N]; 3];
         for i in 0..N {
-            distances[i] = places[i] - self.centre;
+            distances[i] = from_centre + offsets[i];
             inverses[i] = self.radius / distances[i];
         }
         for moment in self.weighted[1..=terms].iter().rev() {

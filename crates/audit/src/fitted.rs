@@ -5,6 +5,7 @@ use crate::chebyshev::{self, lebesgue, nodes};
 use crate::density::Density;
 use crate::legendre::{self, ORDER};
 use crate::panel::Panel;
+use crate::places::Places;
 use crate::vectorised::vectorised;
 
 /// Nodes of the polynomial that stands for the density in a disk.
@@ -62,8 +63,12 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Option<Fitted> {
     let mut values = match panels {
         [panel] => on_panel(panel, &at.places, c, disk)?,
         _ => {
-            let places: Vec<f64> = at.places.iter().map(|t| c + disk * t).collect();
-            density.values(&places).into_iter().map(|(q, _)| q).collect()
+            let offsets: Vec<f64> = at.places.iter().map(|t| disk * t).collect();
+            density
+                .values(&Places { from: c, offsets: &offsets })
+                .into_iter()
+                .map(|(q, _)| q)
+                .collect()
         }
     };
     // Sums of cosines lose digits of what they sum: that is to be small.

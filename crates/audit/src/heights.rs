@@ -1,6 +1,7 @@
 //! What interpolation of the profile misses on windows.
 
 use crate::chebyshev::lebesgue;
+use crate::places::middle;
 use crate::profile::Profile;
 
 /// Orders of derivatives of the profile that are asked for together: high ones are dear.
@@ -42,7 +43,7 @@ impl Known {
 impl Heights<'_> {
     /// What interpolation at so many Chebyshev nodes misses; not looked into further where it is at most `wanted`.
     pub(crate) fn missed(&mut self, count: usize, wanted: f64) -> f64 {
-        let r = 0.5 * (self.window[1] - self.window[0]);
+        let (_, r) = middle(self.window);
         let own = self.intervals.len() - 1;
         let mut next = self.intervals.iter().rposition(|(_, bounds)| bounds.is_some());
         let mut known = next.map_or(f64::INFINITY, |index| self.missed_on(index, r, count));

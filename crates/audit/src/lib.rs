@@ -39,6 +39,7 @@ mod near;
 mod norms;
 mod open;
 mod panel;
+mod places;
 mod potentials;
 mod problem;
 mod profile;

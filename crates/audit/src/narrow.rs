@@ -3,6 +3,7 @@
 use crate::allowance::allowance;
 use crate::density::Density;
 use crate::kernel::Singularity;
+use crate::places::Places;
 use crate::residual::{Bounded, Residual, blur};
 
 /// Numbers of a window that are looked at one by one.
@@ -91,10 +92,11 @@ impl Residual<'_> {
     fn seen(&self, numbers: &[f64], is_inside: bool) -> Seen {
         let mut seen = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0 };
         let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
-        self.density.potentials(numbers, &mut potentials[..numbers.len()]);
+        let places = Places::numbers(numbers);
+        self.density.potentials(&places, &mut potentials[..numbers.len()]);
         let mut heights = [[0.0; 2]; MOST_NUMBERS];
         self.profile.heights(numbers, &mut heights[..numbers.len()]);
-        let densities = self.density.values(numbers);
+        let densities = self.density.values(&places);
         for (((&x, potential), height), q) in
             numbers.iter().zip(potentials).zip(heights).zip(densities)
         {

@@ -48,8 +48,8 @@ pub(crate) struct Recurrence {
     backward: [[f64; 2]; LAST + 1],
 }
 
-/// Places beside a panel: what they are to the right of its left end and to the left of its right one.
-pub(crate) struct Places<const N: usize> {
+/// How far places are to the right of the left end of a panel, and to the left of its right one.
+pub(crate) struct Distances<const N: usize> {
     pub(crate) from_left: [f64; N],
     pub(crate) to_right: [f64; N],
 }
@@ -95,7 +95,7 @@ impl Recurrence {
         &self,
         panel: &Panel,
         scale: f64,
-        places: &Places<N>,
+        places: &Distances<N>,
     ) -> [[f64; N]; 2] {
         let begun = self.begun(panel, scale, places);
         let (mut farthest_on, mut nearest_beside, mut is_any_beside) =
@@ -138,7 +138,7 @@ impl Recurrence {
 
     /// What logarithms and powers are needed for: `I_0` and `I_1`.
     #[inline(always)]
-    fn begun<const N: usize>(&self, panel: &Panel, scale: f64, places: &Places<N>) -> Begun<N> {
+    fn begun<const N: usize>(&self, panel: &Panel, scale: f64, places: &Distances<N>) -> Begun<N> {
         let half = panel.half();
         let [mut left, mut right, mut z] = [[0.0; N]; 3];
         for i in 0..N {

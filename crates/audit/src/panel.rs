@@ -65,8 +65,13 @@ impl Panel {
 
     /// The place as the panel has it, between -1 and 1.
     pub(crate) fn own(&self, x: f64) -> f64 {
-        let t = ((x - self.left) - (self.right - x)) / (self.right - self.left);
-        t.clamp(-1.0, 1.0)
+        self.own_from(0.0, x)
+    }
+
+    /// The same of `from + offset`.
+    pub(crate) fn own_from(&self, from: f64, offset: f64) -> f64 {
+        let (from_left, to_right) = ((from - self.left) + offset, (self.right - from) - offset);
+        ((from_left - to_right) / (self.right - self.left)).clamp(-1.0, 1.0)
     }
 
     pub(crate) fn evaluate(&self, x: f64) -> f64 {

@@ -90,8 +90,8 @@ impl Residual<'_> {
         let above = line - height;
         let off = q - above;
         let value = off + potential;
-        // One rounding of each of these.
-        let sizes = [turned, line, height, above, off, potential, value];
+        // One rounding of each of these, and one of the place, which need be no number of the machine.
+        let sizes = [turned, turned, line, height, above, off, potential, value];
         let size: f64 = sizes.iter().map(|term| term.abs()).sum();
         let error = self.theta * rounding + evaluated + 0.5 * (high - low) + UNIT * size;
         (value, error + self.scaled * self.given(x, height, q, value))

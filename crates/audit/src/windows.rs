@@ -4,6 +4,7 @@ use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{MOST, lebesgue, nodes};
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
+use crate::places::{Places, middle};
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
 
@@ -17,11 +18,11 @@ const INSIDE: f64 = 0.97;
 const ON_PANEL: f64 = 1.0 - 1e-9;
 /// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
 const PLACED: f64 = 17.0 * f64::EPSILON;
-/// Nodes of short windows are rounded. By Markov's inequality a polynomial changes by `s = n^2 u |c|/r` of its size for that, and by Lebesgue's constant times that between them; beyond this
-/// share so many nodes do not serve.
-const CROWDED: f64 = 0.5;
-/// Below this `s` what is interpolated changes by less than a hundredth of what interpolation misses of it; above it by that times Lebesgue's constant at most.
-const PLACED_WELL: f64 = 1e-6;
+/// Nodes are rounded to this share of the half-length of a window: what they are from a panel's end in its reach then takes no further rounding, and by Markov's inequality a polynomial changes by
+/// `n^2` of its size for each unit of its place, here by a millionth at most.
+const GRID: f64 = 1.0 / (1_u64 << 32) as f64;
+/// Of what interpolation misses, with nodes so rounded.
+const MOVED: f64 = 1.01;
 /// Roundings of the cosine sums of a window, for each node squared.
 const COSINES: f64 = 3.0;
 /// Numbers of nodes on a window: eight or sixteen of them cost as much as one less.
@@ -46,7 +47,7 @@ impl Residual<'_> {
         zone: [f64; 2],
         known: &mut Known,
     ) -> Option<Bounded> {
-        let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let (c, r) = middle([left, right]);
         let mut heights = known.on(self.profile, [left, right]);
         let mut disk = (DISK * r).min((r * (c - zone[0]).min(zone[1] - c)).sqrt());
         if disk < LEAST_DISK * r || disk < PLACED * c.abs() || self.is_open_at([left, c, right]) {
@@ -90,23 +91,20 @@ impl Residual<'_> {
         };
         // What the residual itself may hide is looked for only where that is needed.
         let least = jump.max(allowed).max(self.noise.get());
-        let found = if missed <= least {
-            count_with(&mut heights, (least, c, r), 0, remainder)
-        } else {
-            None
-        };
+        let found =
+            if missed <= least { count_with(&mut heights, least, 0, remainder) } else { None };
         let (count, remainder) = match found {
             Some(found) => found,
             None => {
-                let (middle, error) = self.at(c);
-                let budget = (SHARE * middle.abs()).max(2.0 * error).max(least);
+                let (w, error) = self.at(c);
+                let budget = (SHARE * w.abs()).max(2.0 * error).max(least);
                 if missed > budget || budget <= least {
                     return None;
                 }
-                count_with(&mut heights, (budget, c, r), 0, remainder)?
+                count_with(&mut heights, budget, 0, remainder)?
             }
         };
-        let (values, error) = self.values(c, r, count);
+        let (values, error) = self.values([left, right], count);
         self.noise.set(error);
         let rest = remainder + missed;
         let crowded = crowded(c, r, count);
@@ -149,14 +147,24 @@ impl Residual<'_> {
         parts
     }
 
-    fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
-        let places: Vec<f64> = nodes(count).places.iter().map(|t| c + r * t).collect();
+    fn values(&self, [left, right]: [f64; 2], count: usize) -> (Vec<f64>, f64) {
+        let (c, r) = middle([left, right]);
+        let (from, offsets) = placed(c, r, count);
+        let nodes = Places { from, offsets: &offsets };
         let mut potentials = [(0.0, 0.0); MOST];
-        self.density.potentials(&places, &mut potentials[..places.len()]);
-        let mut largest = 0.0f64;
+        self.density.potentials(&nodes, &mut potentials[..count]);
+        let densities = self.density.values(&nodes);
+        let places: Vec<f64> = offsets.iter().map(|offset| from + offset).collect();
         let mut heights = [[0.0; 2]; MOST];
-        self.profile.heights(&places, &mut heights[..places.len()]);
-        let densities = self.density.values(&places);
+        if from == 0.0 {
+            self.profile.heights(&places, &mut heights[..count]);
+        } else {
+            for (height, x) in heights.iter_mut().zip(&places) {
+                let between = [x.next_down().max(left), x.next_up().min(right)];
+                *height = self.profile.range(between);
+            }
+        }
+        let mut largest = 0.0f64;
         let values = (places.iter().zip(heights).zip(densities).zip(potentials))
             .map(|(((x, height), q), potential)| {
                 let (w, error) = self.formed(*x, height, q, potential);
@@ -181,7 +189,7 @@ impl Residual<'_> {
         [left, right]: [f64; 2],
         known: &mut Known,
     ) -> Option<Bounded> {
-        let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let (c, r) = middle([left, right]);
         let mut heights = known.on(self.profile, [left, right]);
         let singularity = self.density.kernel.singularity();
         let parts = self.parts(c, (LEAST_DISK * r, r));
@@ -194,15 +202,14 @@ impl Residual<'_> {
             return None;
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();
-        let fits = |count: &usize| *count <= FEW && crowded(c, r, *count).is_finite();
-        let first = COUNTS.into_iter().rfind(fits)?;
-        let (few, error) = self.values(c, r, first);
-        let middle = 0.5 * (few[(first - 1) / 2] + few[first / 2]);
-        let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
-        let (count, remainder) = count_with(&mut heights, (budget, c, r), first, |count, most| {
+        let (few, error) = self.values([left, right], FEW);
+        let between = 0.5 * (few[FEW / 2 - 1] + few[FEW / 2]);
+        let budget = (SHARE * between.abs()).max(2.0 * error).max(allowed);
+        let (count, remainder) = count_with(&mut heights, budget, FEW, |count, most| {
             self.theta * outside(&parts, singularity, count, most / self.theta)
         })?;
-        let (values, error) = if count == first { (few, error) } else { self.values(c, r, count) };
+        let (values, error) =
+            if count == FEW { (few, error) } else { self.values([left, right], count) };
         let mut swing = 0.0;
         let mut mean = 0.0;
         for (k, a) in nodes(count).coefficients(&values).into_iter().enumerate() {
@@ -228,37 +235,41 @@ impl Residual<'_> {
 /// The smallest number of nodes, at least `first`, with which all remainders are within the budget, and the remainder; of a larger one than is asked for any part will do.
 fn count_with(
     heights: &mut Heights<'_>,
-    (budget, c, r): (f64, f64, f64),
+    budget: f64,
     first: usize,
     remainder: impl Fn(usize, f64) -> f64,
 ) -> Option<(usize, f64)> {
     for count in COUNTS.into_iter().filter(|count| *count >= first) {
-        let crowded = crowded(c, r, count);
-        if crowded.is_infinite() {
-            continue;
-        }
-        let is_well = moved(c, r, count) <= PLACED_WELL;
-        let factor = if is_well { 1.01 } else { 1.0 + crowded * lebesgue(count) };
-        let most = FINE * budget / factor;
+        let most = FINE * budget / MOVED;
         let own = remainder(count, most);
         if own > most {
             continue;
         }
         let total = own + heights.missed(count, most - own);
         if total <= most {
-            return Some((count, factor * total));
+            return Some((count, MOVED * total));
         }
     }
     None
 }
 
-/// What rounding of nodes may change of a polynomial at them, relative to its size.
-fn moved(c: f64, r: f64, count: usize) -> f64 {
-    (count * count) as f64 * UNIT * c.abs() / r
+/// Chebyshev nodes on a window: numbers of the machine where these are fine enough, else what they are from its middle.
+fn placed(c: f64, r: f64, count: usize) -> (f64, Vec<f64>) {
+    let at = nodes(count).places.iter();
+    if f64::EPSILON * c.abs() <= GRID * r {
+        return (0.0, at.map(|t| c + r * t).collect());
+    }
+    let finest = GRID * power_of_two(r);
+    (c, at.map(|t| (r * t / finest).round() * finest).collect())
 }
 
-/// What rounded nodes make of bounds of the polynomial through values at them; infinite where so many do not serve.
+/// The largest power of two that is no larger, of a normal number.
+fn power_of_two(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & f64::INFINITY.to_bits())
+}
+
+/// What rounded nodes make of bounds of the polynomial through values at them.
 fn crowded(c: f64, r: f64, count: usize) -> f64 {
-    let share = lebesgue(count) * moved(c, r, count);
-    if share > CROWDED { f64::INFINITY } else { 1.0 / (1.0 - share) }
+    let moved = (UNIT * c.abs() / r).min(GRID);
+    1.0 / (1.0 - lebesgue(count) * (count * count) as f64 * moved)
 }

@@ -7,7 +7,7 @@ use super::tree::{Seen, Tree};
 use crate::allowance::UNIT;
 use crate::kernel::Singularity;
 use crate::legendre::{ORDER, RULE, evaluate_at};
-use crate::near::{Places, Recurrence};
+use crate::near::{Distances, Recurrence};
 use crate::panel::Panel;
 
 /// A panel this many times as far from the axis at one end as at the other is cut about the place: on shorter ones the factors of the kernel are polynomials of degree 23 but for `5.8^-24`.
@@ -155,13 +155,13 @@ impl Radial {
         }
         // In half-lengths of the interval.
         let density = Panel::new(-1.0, 1.0, RULE.expand(&density));
-        let places = Places {
+        let distances = Distances {
             from_left: [(r - part.left) / part.half],
             to_right: [(part.right - r) / part.half],
         };
         let sign = if self.exponent > 0.0 { 1.0 } else { -1.0 };
         let scale = if self.exponent > 0.0 { 1.0 } else { 0.0 };
-        let [[value], [rounding]] = self.recurrence.potentials(&density, scale, &places);
+        let [[value], [rounding]] = self.recurrence.potentials(&density, scale, &distances);
         sums.value += part.half * sign * value;
         sums.rounding += part.half * (rounding + FACTORS * value.abs());
     }

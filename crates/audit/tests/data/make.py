@@ -1,7 +1,8 @@
-"""Makes potentials.csv and functions.csv with 60 digits (mpmath): python make.py
+"""Makes potentials.csv, between.csv and functions.csv with 60 digits (mpmath): python make.py
 
 The density has on panel j the Legendre coefficients (1 + j/64) (-1)^(k(k+1)/2) 8^-k, k < 24, exact numbers of the machine, as are the ends of the panels.
 potentials.csv: mu (0: ln|x - t|, else |x - t|^-mu), x, the integral of the kernel times the density, and the density at x.
+between.csv: mu, a number of the machine, what the place is from it, and the same; these places are no numbers of the machine.
 functions.csv: x, ln x, x^0.3, x^1.7.
 """
 
@@ -99,3 +100,13 @@ with open("functions.csv", "w") as file:
         x = draw.choice([10 ** draw.uniform(-16, 1), 1 + draw.choice([-1, 1]) * 10 ** draw.uniform(-12, -0.1), draw.uniform(0, 2)])
         row = [log(mpf(x)), mpf(x) ** mpf(0.3), mpf(x) ** mpf(1.7)]
         print(repr(x), *[mp.nstr(value, 25) for value in row], sep=",", file=file)
+# Windows next to either end of the first panels, of which the places lie between the numbers of the machine.
+windows = [(side * (1 - middle * 2.0**-53), r) for side in [-1, 1] for middle, r in [(20, 1e-15), (3000, 1e-13), (8100, 4e-15), (8192, 2e-14), (40000, 2e-12)]]
+with open("between.csv", "w") as file:
+    for mu in [0.0, 0.25, 0.75]:
+        for c, r in windows:
+            for _ in range(4):
+                grid = 2.0**-32 * 2.0 ** (mp.frexp(mpf(r))[1] - 1)
+                offset = round(float(draw.uniform(-1, 1) * r / grid)) * grid
+                x = mpf(c) + mpf(offset)
+                print(mu, repr(c), repr(offset), mp.nstr(potential(mpf(mu), x), 25), mp.nstr(density(x), 25), sep=",", file=file)
