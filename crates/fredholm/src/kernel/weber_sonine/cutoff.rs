@@ -1,6 +1,6 @@
 //! How far from the diagonal the factor of the singular function is kept.
 
-use super::dyadic::{polynomial, powers};
+use super::dyadic::{polynomial, polynomials, powers};
 
 /// Steepness: the cutoff is 1 to rounding at the diagonal.
 const STEEPNESS: f64 = 6.0;
@@ -43,12 +43,36 @@ impl Cutoff {
 
     /// The cutoff at `r`, where `x s` is `a^2 e^(-2 depth)`.
     pub(super) fn value(&self, r: f64, depth: f64) -> f64 {
+        let place = self.place(r, depth);
+        match self.pieces.get(place as usize) {
+            Some(piece) => polynomial(piece, local(place)),
+            None => 0.0,
+        }
+    }
+
+    /// `r/r_c` in pieces.
+    #[inline(always)]
+    pub(super) fn place(&self, r: f64, depth: f64) -> f64 {
         let depth = depth.max(0.0);
         let saturated = depth * DEEPEST / (DEEPEST + depth);
-        let place = 0.5 * PIECES as f64 * r / (self.constant + self.slope * saturated);
-        match self.pieces.get(place as usize) {
-            Some(piece) => polynomial(piece, 2.0 * (place - place.floor()) - 1.0),
-            None => 0.0,
+        0.5 * PIECES as f64 * r / (self.constant + self.slope * saturated)
+    }
+
+    /// Puts the cutoffs there, the same to the last bit for less: those of a piece that follow each other are taken side by side.
+    #[inline(always)]
+    pub(super) fn at_places(&self, mut places: &mut [f64]) {
+        while let Some(first) = places.first() {
+            let index = *first as usize;
+            let count = places.iter().take_while(|place| **place as usize == index).count();
+            let (own, others) = places.split_at_mut(count);
+            match self.pieces.get(index) {
+                Some(piece) => {
+                    own.iter_mut().for_each(|place| *place = local(*place));
+                    polynomials(piece, own);
+                }
+                None => own.fill(0.0),
+            }
+            places = others;
         }
     }
 
@@ -56,6 +80,12 @@ impl Cutoff {
     pub(super) fn reach(&self) -> f64 {
         2.0 * (self.constant + self.slope * DEEPEST)
     }
+}
+
+/// `u` of the piece of a place.
+#[inline(always)]
+fn local(place: f64) -> f64 {
+    2.0 * (place - place.floor()) - 1.0
 }
 
 #[cfg(test)]
@@ -73,5 +103,10 @@ mod tests {
             assert!((found - exact).abs() < 3e-15, "{place}: {found} {exact}");
         }
         assert_eq!(cutoff.value(cutoff.reach() * 1.001, 1e300), 0.0);
+        let ratios: Vec<f64> = (0..300).map(|i| 0.03 * f64::from(i % 170)).collect();
+        let mut many: Vec<f64> = ratios.iter().map(|r| cutoff.place(*r, 1.5)).collect();
+        cutoff.at_places(&mut many);
+        let alone: Vec<f64> = ratios.iter().map(|r| cutoff.value(*r, 1.5)).collect();
+        assert_eq!(many, alone);
     }
 }

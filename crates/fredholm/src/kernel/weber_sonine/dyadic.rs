@@ -72,7 +72,11 @@ pub(super) fn polynomial<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], u: f64)
 pub(super) fn polynomials<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], places: &mut [f64]) {
     let (blocks, rest) = places.as_chunks_mut::<BESIDE>();
     blocks.iter_mut().for_each(|block| polynomials_of(rows, block));
-    rest.iter_mut().for_each(|u| *u = polynomial(rows, *u));
+    // A block that is not full takes no longer than one place.
+    let mut block = [0.0; BESIDE];
+    block[..rest.len()].copy_from_slice(rest);
+    polynomials_of(rows, &mut block);
+    rest.copy_from_slice(&block[..rest.len()]);
 }
 
 #[inline(always)]

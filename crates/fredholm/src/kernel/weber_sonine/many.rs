@@ -135,9 +135,8 @@ impl Tables {
             }
         }
         values.iter_mut().for_each(|value| *value = value.min(f64::MAX));
-        let Some(factors) = factors else { return };
-        for (k, factor) in factors.iter_mut().enumerate() {
-            *factor = self.factor_of(chunk, k, series[k]);
+        if let Some(factors) = factors {
+            self.factors(chunk, &series, factors);
         }
     }
 
@@ -183,21 +182,42 @@ impl Tables {
         }
     }
 
-    fn factor_of(&self, chunk: &Chunk, k: usize, series: f64) -> f64 {
-        let (height, ratio) = (chunk.heights[k], chunk.ratios[k]);
-        let cutoff = self.cutoff.value(ratio, self.radius - height + 0.5 * ratio);
-        if cutoff == 0.0 {
-            return 0.0;
-        }
+    /// The factors, and zero where the cutoff is.
+    fn factors(&self, chunk: &Chunk, series: &[f64; CHUNK], factors: &mut [f64]) {
+        let (mut cutoffs, mut functions) = ([0.0; CHUNK], [0.0; CHUNK]);
+        let reach = self.cutoff.reach();
+        vectorised(
+            #[inline(always)]
+            || {
+                for k in 0..chunk.count {
+                    let (height, ratio) = (chunk.heights[k], chunk.ratios[k]);
+                    cutoffs[k] = self.cutoff.place(ratio, self.radius - height + 0.5 * ratio);
+                    functions[k] = ratio / reach;
+                }
+                self.cutoff.at_places(&mut cutoffs[..chunk.count]);
+                // Points beside the diagonal lie together, as points are in order.
+                let is_kept = |cutoff: &f64| *cutoff != 0.0;
+                let first = cutoffs.iter().position(is_kept).unwrap_or(0);
+                let last = cutoffs.iter().rposition(is_kept).map_or(first, |last| last + 1);
+                self.factor.evaluate_all(&mut functions[first..last]);
+            },
+        );
         let Coefficients { order, strength, .. } = self.coefficients;
-        let function = if self.is_near(chunk.quarters[k]) {
-            series / chunk.roots[k]
-        } else {
-            let growth = if order == 0.0 { 1.0 } else { (order * ratio).exp() };
-            self.factor.evaluate(ratio / self.cutoff.reach()) * growth
-        };
-        let factor = strength * cutoff * function / chunk.larger[k];
-        factor.clamp(-f64::MAX, f64::MAX)
+        for (k, factor) in factors.iter_mut().enumerate() {
+            if cutoffs[k] == 0.0 {
+                *factor = 0.0;
+                continue;
+            }
+            let function = if self.is_near(chunk.quarters[k]) {
+                series[k] / chunk.roots[k]
+            } else if order == 0.0 {
+                functions[k]
+            } else {
+                functions[k] * (order * chunk.ratios[k]).exp()
+            };
+            let value = strength * cutoffs[k] * function / chunk.larger[k];
+            *factor = value.clamp(-f64::MAX, f64::MAX);
+        }
     }
 }
 
