@@ -176,7 +176,9 @@ impl Density {
                     self.add_singular(from + image, offsets, -1.0, &mut sums);
                 }
                 let mut places = *offsets;
-                places.iter_mut().for_each(|x| *x += from);
+                for x in &mut places {
+                    *x += from;
+                }
                 let (values, rounding) = self.regular.at(&places);
                 sums.add(1.0, &values, &[rounding; N]);
             }
@@ -250,8 +252,10 @@ impl Density {
         let panel = &self.panels[index];
         let mut seen = Distances { from_left: near, to_right: near };
         let (from_left, to_right) = (from - panel.left, panel.right - from);
-        seen.from_left.iter_mut().for_each(|x| *x += from_left);
-        seen.to_right.iter_mut().for_each(|x| *x = to_right - *x);
+        for i in 0..N {
+            seen.from_left[i] += from_left;
+            seen.to_right[i] = to_right - seen.to_right[i];
+        }
         let mut found = self.recurrence.potentials(panel, self.scales[index], &seen);
         if is_any_far {
             let nearest = nearest.min(2.0 * least);

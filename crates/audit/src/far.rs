@@ -126,7 +126,9 @@ impl Cluster {
             }
             Singularity::Power(mu) => {
                 let mut powers = logarithms;
-                powers.iter_mut().for_each(|power| *power *= -mu);
+                for power in &mut powers {
+                    *power *= -mu;
+                }
                 let scales = exp(&powers);
                 for i in 0..N {
                     let whole = self.moments[0] + (self.lost + sums[i]);

@@ -1,7 +1,7 @@
 //! The scaled symmetric matrix of a kernel on a mesh, split by parity where that is possible.
 
 use super::entries::{Entries, Scratch, with_mass};
-use super::mesh::{Mesh, Place};
+use super::mesh::Mesh;
 use crate::kernel::Kernel;
 use crate::linear::{dot, multiply_rows, sum, vectorised};
 use crate::{Error, memory};
@@ -298,19 +298,39 @@ fn mirror(matrix: &mut [f64], order: usize) {
     }
 }
 
-/// The part of the potential of a constant at the left end of the interval that comes from before a node, where masses vanish, over the part of that node: `m K(0, s)` goes as `s^-q` at the centre of a disk. The
-/// sum over nodes is the integral from half a step before the first one on; what lies before that is added.
-fn corner_share(kernel: &dyn Kernel, mesh: &Mesh, node: usize) -> f64 {
+/// Adds to the row of a boundary what its sum leaves out on both sides: with a kernel that is nearly as singular as `1/d` there is much before the first node that has a mass, and where potentials are settled. The density
+/// does not change there, and masses times the kernel go as `g = w d^-q`, at the centre of a disk of order 0, too: all is added to that node.
+///
+/// Before the first node of all, at `d_0`, there is `d_0^(1-q)/(1-q)`, less the half of its `g_0` and the further end corrections of a sum with equal steps, by J. Gregory: `D g_0/12 - D^2 g_0/24`.
+fn add_left_out(
+    kernel: &dyn Kernel,
+    mesh: &Mesh,
+    masses: &[f64],
+    boundary: usize,
+    row: &mut [f64],
+) {
     let q = kernel.singularity().exponent();
-    let share = |(place, weight): (Place, &f64)| weight * place.from_left.powf(-q);
-    let nodes = || mesh.places().zip(mesh.weights());
-    let beyond = |(place, weight): (Place, &f64)| {
-        place.from_left.powf(1.0 - q) / (1.0 - q) - 0.5 * share((place, weight))
-    };
-    let before = nodes().take(node).map(share).sum::<f64>();
-    match [nodes().next(), nodes().nth(node)] {
-        [Some(first), Some(node)] => (before + beyond(first)) / share(node),
-        _ => 0.0,
+    let settled = if boundary == 0 { kernel.settled() } else { 0.0 };
+    let count = mesh.panel_count();
+    for panel in 0..mesh.panels() {
+        let first = panel * count;
+        let left = mesh.left_end(panel);
+        let node = |k: usize| if boundary == left { first + k } else { first + count - 1 - k };
+        if boundary != left && boundary != left + 1 {
+            continue;
+        }
+        let distance = |k: usize| mesh.distance_to_boundary(boundary, node(k));
+        let is_counted = |k: &usize| masses[node(*k)] > 0.0 && distance(*k) >= settled;
+        let Some(counted) = (0..count).find(is_counted) else { continue };
+        let part = |k: usize| mesh.weights()[node(k)] * distance(k).powf(-q);
+        let [g, next, after] = [part(0), part(1), part(2)];
+        let end = distance(0).powf(1.0 - q) / (1.0 - q) - 0.5 * g + (next - g) / 12.0
+            - (after - 2.0 * next + g) / 24.0;
+        let share = ((0..counted).map(part).sum::<f64>() + end) / part(counted);
+        if share.is_finite() {
+            (0..counted).for_each(|k| row[node(k)] = 0.0);
+            row[node(counted)] *= 1.0 + share;
+        }
     }
 }
 
@@ -334,8 +354,10 @@ pub(super) fn boundary_rows(kernel: &dyn Kernel, mesh: &Mesh, masses: &[f64]) ->
             *entry = if *mass > 0.0 { mass * *entry } else { 0.0 };
         }
     }
-    if kernel.settled() > 0.0 {
-        rows[inside.start] *= 1.0 + corner_share(kernel, mesh, inside.start);
+    if kernel.singularity().exponent() > 0.0 {
+        for (boundary, row) in rows.chunks_exact_mut(mesh.count()).enumerate() {
+            add_left_out(kernel, mesh, masses, boundary, row);
+        }
     }
     if is_even {
         let mirrored: Vec<f64> =

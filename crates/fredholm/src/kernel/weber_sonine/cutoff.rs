@@ -67,7 +67,9 @@ impl Cutoff {
             let (own, others) = places.split_at_mut(count);
             match self.pieces.get(index) {
                 Some(piece) => {
-                    own.iter_mut().for_each(|place| *place = local(*place));
+                    for place in own.iter_mut() {
+                        *place = local(*place);
+                    }
                     polynomials(piece, own);
                 }
                 None => own.fill(0.0),

@@ -39,7 +39,9 @@ impl Dyadic {
             let index = self.piece(*first);
             let count = places.iter().take_while(|w| self.piece(**w) == index).count();
             let (own, others) = places.split_at_mut(count);
-            own.iter_mut().for_each(|w| *w = local(index, *w));
+            for w in own.iter_mut() {
+                *w = local(index, *w);
+            }
             polynomials(&self.pieces[index], own);
             places = others;
         }
@@ -71,7 +73,9 @@ pub(super) fn polynomial<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], u: f64)
 #[inline(always)]
 pub(super) fn polynomials<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], places: &mut [f64]) {
     let (blocks, rest) = places.as_chunks_mut::<BESIDE>();
-    blocks.iter_mut().for_each(|block| polynomials_of(rows, block));
+    for block in blocks {
+        polynomials_of(rows, block);
+    }
     // A block that is not full takes no longer than one place.
     let mut block = [0.0; BESIDE];
     block[..rest.len()].copy_from_slice(rest);
