@@ -103,6 +103,9 @@ pub(crate) fn scale(kappa: f64, answer: &Answer<'_>) -> Result<f64, Refusal> {
         // Peaks of a bent layer say little of its potential, which has to be known to what the layer gives.
         scale = scale.min(PEAKED * sizes.iter().sum::<f64>() / sizes.len() as f64);
     }
+    if sizes.iter().all(|size| *size == 0.0) && !sizes.is_empty() {
+        return Err(Refusal::Vanishes);
+    }
     let is_known = !scale.is_nan() && scale > 0.0 && scale.is_finite();
     is_known.then_some(scale).ok_or(Refusal::NoPressure)
 }

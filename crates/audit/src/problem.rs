@@ -84,6 +84,9 @@ pub enum Refusal {
     /// The pressure has no zone, or is not finite.
     #[error("the pressure is not finite")]
     NoPressure,
+    /// The pressure is zero everywhere.
+    #[error("the pressure vanishes everywhere, so there is no size to hold a residual against")]
+    Vanishes,
     /// The pressure needs more panels than are kept.
     #[error("the pressure bends at more places than the audit follows")]
     TooManyPanels,

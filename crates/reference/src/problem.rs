@@ -89,6 +89,13 @@ pub enum Refusal {
     NoContact,
     /// Something is not finite.
     NotFinite,
+    /// The kernel is nearly as singular as `1/d`: the shortest panels leave too much of its potential.
+    TooSingular {
+        /// Its exponent.
+        exponent: f64,
+        /// The largest that it may be.
+        most: f64,
+    },
     /// The method does not cover it.
     NotCovered(&'static str),
 }
@@ -105,6 +112,12 @@ impl std::fmt::Display for Refusal {
             Self::ZonesNotFound => formatter.write_str("its zones of contact did not settle"),
             Self::NoContact => formatter.write_str("it found no contact"),
             Self::NotFinite => formatter.write_str("it found numbers that are not finite"),
+            Self::TooSingular { exponent, most } => {
+                write!(
+                    formatter,
+                    "ground graded by {exponent} asks for shorter panels at the ends of zones than it has: it knows ground graded by {most} at most"
+                )
+            }
             Self::NotCovered(reason) => formatter.write_str(reason),
         }
     }

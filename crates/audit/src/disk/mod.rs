@@ -202,6 +202,9 @@ impl<'a> Audit<'a> {
         if !scale.is_finite() || zones.is_empty() {
             return Err(Refusal::NoPressure);
         }
+        if scale == 0.0 {
+            return Err(Refusal::Vanishes);
+        }
         let exact = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
         let exact = |_: f64, _: f64| exact;
         let known = |left: f64, right: f64| {

@@ -14,9 +14,10 @@ const ELASTIC_SHARE: f64 = 0.1;
 const WIDE: f64 = 1.0;
 /// Angles from here on (rad) are told by their power of ten.
 const LARGE_ANGLE: f64 = 1e3;
-/// Places in each zone of contact between which slopes are taken, and in all intervals of tension together.
+/// Places in each zone of contact between which slopes are taken, and at most in an interval of tension.
 const PLACES: usize = 400;
-/// The fewest in one of these: of a half-wave they miss `1 - cos(pi/80)` at most.
+/// In all intervals of tension together so many, but so many in each at least: of a half-wave these miss `1 - cos(pi/80)` at most.
+const TOGETHER: usize = 4_000;
 const FEWEST: usize = 40;
 
 impl Contact {
@@ -113,10 +114,10 @@ impl Contact {
         }
     }
 
-    /// The largest tension at some places where the pressure of a bilateral contact is negative (Pa), a thousandth of it too small at most for half-waves; 0 where it is so nowhere.
+    /// The largest tension at some places where the pressure of a bilateral contact is negative (Pa), a thousandth of it too small at most for half-waves, more for peaks narrower than the places are apart; 0 where it is so nowhere.
     fn largest_tension(&self) -> f64 {
         let intervals = self.tension();
-        let count = (PLACES / intervals.len().max(1)).max(FEWEST);
+        let count = (TOGETHER / intervals.len().max(1)).clamp(FEWEST, PLACES);
         let places: Vec<f64> = (intervals.into_iter())
             .flat_map(|[left, right]| {
                 // A rounding beyond the edge would be no place of the base.
