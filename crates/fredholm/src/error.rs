@@ -48,7 +48,7 @@ pub enum Error {
 
     /// The operator `1 + parameter K` is singular to rounding: the parameter is `-1/nu` for an eigenvalue `nu` of `K`.
     #[error(
-        "1 + {} K has the eigenvalue {smallest:e}, zero to rounding: the equation has no unique solution", plain(*parameter)
+        "1 + {} K has the eigenvalue {smallest:.1e}, zero to the rounding of its largest one: the equation has no unique solution", plain(*parameter)
     )]
     Singular {
         /// The parameter.
