@@ -1,4 +1,4 @@
-//! Solution with a Cholesky factor.
+//! Solution with triangular factors.
 
 use super::dense::{COLUMNS, subtract_column, subtract_columns};
 use super::vector::dot;
@@ -68,6 +68,58 @@ fn backwards<'f>(column: &impl Fn(usize) -> &'f [f64], order: usize, right: &mut
 fn below(columns: [&[f64]; COLUMNS]) -> [&[f64]; COLUMNS] {
     let [c0, c1, c2, c3] = columns;
     [&c0[COLUMNS..], &c1[COLUMNS - 1..], &c2[COLUMNS - 2..], &c3[COLUMNS - 3..]]
+}
+
+/// Overwrites `right` with `U^{-1} L^{-1} right`: `lower` and `upper` give whole columns of `L`, which has ones on its diagonal, and of `U`.
+///
+/// Four columns at a time, as above.
+pub(crate) fn eliminate<'f>(
+    lower: impl Fn(usize) -> &'f [f64],
+    upper: impl Fn(usize) -> &'f [f64],
+    right: &mut [f64],
+) {
+    let order = right.len();
+    let blocks = order - order % COLUMNS;
+    vectorised(
+        #[inline(always)]
+        || {
+            for j in (0..blocks).step_by(COLUMNS) {
+                let columns = [0, 1, 2, 3].map(|k| lower(j + k));
+                let (heads, tail) = right[j..order].split_at_mut(COLUMNS);
+                for k in 0..COLUMNS {
+                    for below in k + 1..COLUMNS {
+                        heads[below] -= columns[k][j + below] * heads[k];
+                    }
+                }
+                let heads = [heads[0], heads[1], heads[2], heads[3]];
+                let [c0, c1, c2, c3] = columns;
+                let next = j + COLUMNS;
+                let below = [&c0[next..], &c1[next..], &c2[next..], &c3[next..]];
+                subtract_columns(tail, below, heads);
+            }
+            for j in blocks..order {
+                let head = right[j];
+                subtract_column(&mut right[j + 1..], &lower(j)[j + 1..], head);
+            }
+            for j in (blocks..order).rev() {
+                let column = upper(j);
+                right[j] /= column[j];
+                let head = right[j];
+                subtract_column(&mut right[..j], column, head);
+            }
+            for j in (0..blocks).step_by(COLUMNS).rev() {
+                let columns = [0, 1, 2, 3].map(|k| upper(j + k));
+                let (above, heads) = right[..j + COLUMNS].split_at_mut(j);
+                for k in (0..COLUMNS).rev() {
+                    for later in k + 1..COLUMNS {
+                        heads[k] -= columns[later][j + k] * heads[later];
+                    }
+                    heads[k] /= columns[k][j + k];
+                }
+                subtract_columns(above, columns, [heads[0], heads[1], heads[2], heads[3]]);
+            }
+        },
+    );
 }
 
 #[cfg(test)]
