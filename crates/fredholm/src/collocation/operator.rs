@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::assembly::{Block, blocks};
+use super::assembly::{Block, TIP, blocks};
 use super::estimate::{self, largest};
 use super::mesh::Mesh;
 use super::{Place, SincGrid, SincSolution};
@@ -129,7 +129,7 @@ impl SincOperator {
             block.extend(&block.potential(&z), &mut potential);
             block.add_boundary_potential(&z, &mut boundaries);
         }
-        self.fill_corners(&mut potential, &boundaries);
+        self.fill_corners(&mut potential, &boundaries, density);
         Ok(potential)
     }
 
@@ -251,7 +251,7 @@ impl SincOperator {
             block.extend(&block.potential(z), &mut potential);
             block.add_boundary_potential(z, &mut boundaries);
         }
-        self.fill_corners(&mut potential, &boundaries);
+        self.fill_corners(&mut potential, &boundaries, f);
         // Division of z by the tiny weights near the ends would lose digits.
         let values: Vec<f64> = f.iter().zip(&potential).map(|(f, u)| f - parameter * u).collect();
         let masses = self.masses(scaled);
@@ -268,20 +268,25 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes in a corner have the potential of that end of their panel.
-    fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64]) {
-        let corners = potential.iter_mut().zip(&self.masses).zip(self.mesh.places());
-        for ((potential, _), place) in
-            corners.filter(|((_, mass), place)| self.is_corner(**mass, *place))
-        {
-            let at_left = place.from_left < place.from_right;
-            *potential = boundaries[self.mesh.left_end(place.panel) + usize::from(!at_left)];
+    /// Nodes in a corner have the potential of that end of their panel, and so have those where it is settled, if the function that is given does not change there.
+    fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64], given: &[f64]) {
+        let tip = given.first().copied().unwrap_or(0.0);
+        let none = f64::EPSILON * largest(given);
+        for (i, place) in self.mesh.places().enumerate() {
+            let is_settled = place.panel == 0
+                && place.from_left < self.settled
+                && (given[i] - tip).abs() <= none;
+            if is_settled || self.is_corner(self.masses[i], place) {
+                let at_left = place.from_left < place.from_right;
+                let end = self.mesh.left_end(place.panel) + usize::from(!at_left);
+                potential[i] = boundaries[end];
+            }
         }
     }
 
     /// Whether a node is so deep in a corner that its mass vanishes, or that nothing changes any more.
     pub(super) fn is_corner(&self, mass: f64, place: Place) -> bool {
-        mass == 0.0 || (place.panel == 0 && place.from_left < self.settled)
+        mass == 0.0 || (place.panel == 0 && place.from_left < TIP * self.settled)
     }
 }
 

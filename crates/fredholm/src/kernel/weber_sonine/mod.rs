@@ -58,9 +58,9 @@ pub struct WeberSonine {
     tables: Arc<Tables>,
 }
 
-/// Share of the radius within which potentials of order 0 have their value at the centre: about a tip `x^p` they leave it as `x^(1-2 gamma+p)`. Much deeper the nodes that the rim asks for on strongly
-/// graded ground are too far from each other to resolve the kernel (survey of 36 tips and 100 disks: with 1e-40 right to 1e-13 but for `p <= 0.2`; with 1e-16 tips, with 1e-60 flat disks are not).
-const CENTRE: f64 = 1e-40;
+/// Within what share of the radius potentials of order 0 have their value at the centre but for this much: they leave it as `x^(2-2 gamma)` at least, where functions are
+/// smooth.
+const CENTRE: f64 = 1e-16;
 
 impl WeberSonine {
     /// The kernel with the order `mu` and the exponent `gamma` on `(0, radius)`. Builds tables of its one variable, in about a millisecond.
@@ -180,7 +180,8 @@ impl Kernel for WeberSonine {
 
     /// For the order 0, else none: potentials of functions that are not `x^mu` times a smooth one leave 0 as `x^(1-2 gamma)`.
     fn settled(&self) -> f64 {
-        if self.order == 0.0 { CENTRE * self.radius } else { 0.0 }
+        let power = 2.0 - 2.0 * self.exponent.max(0.0);
+        if self.order == 0.0 { CENTRE.powf(1.0 / power) * self.radius } else { 0.0 }
     }
 
     /// `1 - 2 gamma` at `a`; at 0 solutions are `x^mu` times a smooth function of `x^2`, if the right-hand side is, else there are terms with
