@@ -34,6 +34,8 @@ pub struct SincOperator {
     blocks: Vec<Block>,
     /// Within this distance from the left end potentials have its value.
     settled: f64,
+    /// The same as a share of a panel, from where it meets another one.
+    settled_beside: f64,
 }
 
 impl SincOperator {
@@ -111,6 +113,7 @@ impl SincOperator {
             masses,
             blocks,
             settled: kernel.settled(),
+            settled_beside: settled_beside(kernel.singularity().exponent()),
         })
     }
 
@@ -268,15 +271,11 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes in a corner have the potential of that end of their panel, and so have those where it is settled, if the function that is given does not change there.
+    /// Nodes in a corner have the potential of that end of their panel, and so have those where it is settled.
     fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64], given: &[f64]) {
-        let tip = given.first().copied().unwrap_or(0.0);
         let none = f64::EPSILON * largest(given);
         for (i, place) in self.mesh.places().enumerate() {
-            let is_settled = place.panel == 0
-                && place.from_left < self.settled
-                && (given[i] - tip).abs() <= none;
-            if is_settled || self.is_corner(self.masses[i], place) {
+            if self.is_settled(i, place, given, none) || self.is_corner(self.masses[i], place) {
                 let at_left = place.from_left < place.from_right;
                 let end = self.mesh.left_end(place.panel) + usize::from(!at_left);
                 potential[i] = boundaries[end];
@@ -284,10 +283,37 @@ impl SincOperator {
         }
     }
 
+    /// Whether a node is so near to the centre, or to where panels meet, that potentials do not change there, if the function that is given changes by no more than `none`. It does at a tip or a step.
+    fn is_settled(&self, i: usize, place: Place, given: &[f64], none: f64) -> bool {
+        let count = self.mesh.panel_count();
+        let at_left = place.from_left < place.from_right;
+        let first = (place.panel + usize::from(!at_left)) * count;
+        let is_inside = 0 < first && first < given.len() && {
+            let panel = first / count;
+            self.mesh.left_end(panel) == self.mesh.left_end(panel - 1) + 1
+        };
+        let (reach, deepest) = match is_inside {
+            true => {
+                let length = place.from_left + place.from_right;
+                (self.settled_beside * length, [given[first - 1], given[first]])
+            }
+            false if first == 0 => (self.settled, [given[0]; 2]),
+            false => return false,
+        };
+        let is_near = place.from_left.min(place.from_right) < reach;
+        is_near && deepest.iter().all(|value| (given[i] - value).abs() <= none)
+    }
+
     /// Whether a node is so deep in a corner that its mass vanishes, or that nothing changes any more.
     pub(super) fn is_corner(&self, mass: f64, place: Place) -> bool {
         mass == 0.0 || (place.panel == 0 && place.from_left < TIP * self.settled)
     }
+}
+
+/// Within what share of a panel from where it meets the next potentials have their value there but for `1e-16`: beside a kink they leave it as `d^(2-q)`. Nearer nodes on two panels are too far from each other to
+/// resolve a kernel that is nearly as singular as `1/d`; one as the logarithm, or less singular, needs no such thing.
+fn settled_beside(q: f64) -> f64 {
+    if q > 0.0 { 1e-16f64.powf(1.0 / (2.0 - q)) } else { 0.0 }
 }
 
 /// Masses below this share of the largest count as zero: so deep in a corner a kernel may overflow.
