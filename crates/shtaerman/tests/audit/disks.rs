@@ -149,3 +149,23 @@ fn strongly_graded_ground_at_rims_on_the_axis_and_beside_tips() {
         assert!(stated < 3e-7 * truth, "{exponent} {profile}: {stated:e} stated");
     }
 }
+
+/// Beside a kink the pressure goes on as its slope: under `c |x|` by `c/chi` for each unit, until the body answers, as `x^(2-mu)`.
+#[test]
+fn pressures_beside_a_kink_of_strongly_graded_ground_go_on_as_its_slope() {
+    for (exponent, roughness) in [(0.8, 0.1), (0.85, 0.5), (0.85, 2.0), (0.85, 10.0)] {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\nhalf_width = 1.0\nprofile = \"0.1*abs(x)\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let kink = contact.pressure(0.0).unwrap();
+        for x in [1e-30f64, -1e-26, 1e-21, 1e-18, -1e-16] {
+            let off = (contact.pressure(x).unwrap() - kink + 0.1 / roughness * x.abs()).abs();
+            assert!(
+                off <= stated,
+                "{exponent} {roughness}, {x}: off by {off:e}, {stated:e} stated"
+            );
+        }
+    }
+}
