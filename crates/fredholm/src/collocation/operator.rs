@@ -310,10 +310,13 @@ impl SincOperator {
     }
 }
 
-/// Within what share of a panel from where it meets the next potentials have their value there but for `1e-16`: beside a kink they leave it as `d^(2-q)`. Nearer nodes on two panels are too far from each other to
+/// A change of potentials, relative to them, that is rounding.
+const UNCHANGED: f64 = 1e-16;
+
+/// Within what share of a panel from where it meets the next potentials have their value there but for [`UNCHANGED`]: beside a kink they leave it as `d^(2-q)`. Nearer nodes on two panels are too far from each other to
 /// resolve a kernel that is nearly as singular as `1/d`; one as the logarithm, or less singular, needs no such thing.
 fn settled_beside(q: f64) -> f64 {
-    if q > 0.0 { 1e-16f64.powf(1.0 / (2.0 - q)) } else { 0.0 }
+    if q > 0.0 { UNCHANGED.powf(1.0 / (2.0 - q)) } else { 0.0 }
 }
 
 /// Masses below this share of the largest count as zero: so deep in a corner a kernel may overflow.

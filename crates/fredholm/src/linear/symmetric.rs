@@ -32,7 +32,7 @@ pub(crate) struct Eliminated {
 }
 
 impl Eliminated {
-    /// Overwrites `right` with the solution. The method of the library is made for many right-hand sides: one takes it three times as long.
+    /// Overwrites `right` with the solution. The method of the library underneath is made for many right-hand sides.
     fn solve(&self, right: &mut [f64]) {
         let (pivots, _) = self.factors.P().arrays();
         let given = right.to_vec();
