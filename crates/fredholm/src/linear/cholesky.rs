@@ -1,16 +1,17 @@
 //! Cholesky factorisation of a symmetric positive definite matrix.
 
+use faer::Par;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
-use faer::{Mat, Par};
 
+use super::columns::Columns;
 use super::substitution::substitute;
 use crate::Error;
 
 /// `A = L L^T`, kept in the storage of `A`.
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky {
-    factor: Mat<f64>,
+    factor: Columns,
 }
 
 impl Cholesky {
@@ -29,14 +30,14 @@ impl Cholesky {
         order: usize,
         mut column: impl FnMut(usize, &mut [f64]),
     ) -> Result<Self, Error> {
-        let mut matrix = Mat::<f64>::zeros(order, order);
+        let mut matrix = Columns::zeros(order);
         for j in 0..order {
-            column(j, &mut matrix.col_as_slice_mut(j)[j..]);
+            column(j, &mut matrix.column_mut(j)[j..]);
         }
         let scratch = cholesky_in_place_scratch::<f64>(order, Par::Seq, Default::default());
         let mut buffer = MemBuffer::new(scratch);
         cholesky_in_place(
-            matrix.as_mut(),
+            matrix.as_library(),
             Default::default(),
             Par::Seq,
             MemStack::new(&mut buffer),
@@ -51,17 +52,17 @@ impl Cholesky {
 
     /// Order of the matrix.
     pub(crate) fn order(&self) -> usize {
-        self.factor.nrows()
+        self.factor.order()
     }
 
     /// The smallest pivot.
     pub(crate) fn smallest_pivot(&self) -> f64 {
-        (0..self.order()).map(|i| self.factor[(i, i)].powi(2)).fold(f64::INFINITY, f64::min)
+        (0..self.order()).map(|i| self.factor.column(i)[i].powi(2)).fold(f64::INFINITY, f64::min)
     }
 
     /// Overwrites `right` with `A^{-1} right`.
     pub(crate) fn solve(&self, right: &mut [f64]) {
-        substitute(|j| &self.factor.col_as_slice(j)[j..], self.order(), right);
+        substitute(|j| &self.factor.column(j)[j..], self.order(), right);
     }
 }
 

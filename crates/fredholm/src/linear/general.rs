@@ -1,8 +1,6 @@
 //! Systems without any structure.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, MatMut};
-
+use super::Elimination;
 use crate::Error;
 
 /// Overwrites each right-hand side `b` with the solution of `A x = b`, by elimination with pivots in blocks; `matrix` is `A` row by row.
@@ -27,9 +25,9 @@ pub fn eliminate(matrix: &[f64], rights: &mut [Vec<f64>]) -> Result<(), Error> {
     if order == 0 {
         return Ok(());
     }
-    let factored = Mat::from_fn(order, order, |i, j| matrix[i * order + j]).partial_piv_lu();
+    let factored = Elimination::new(order, |i, j| matrix[i * order + j]);
     for right in rights {
-        factored.solve_in_place(MatMut::from_column_major_slice_mut(right, order, 1));
+        factored.solve(right);
         if right.iter().any(|value| !value.is_finite()) {
             return Err(Error::Singular { parameter: 0.0, smallest: 0.0 });
         }

@@ -1,7 +1,9 @@
 //! Dense linear algebra behind our own names; the library underneath does not show.
 
 mod cholesky;
+mod columns;
 mod dense;
+mod elimination;
 mod general;
 mod lowest;
 mod positive;
@@ -16,6 +18,7 @@ mod vectorised;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use dense::multiply_rows;
+pub(crate) use elimination::Elimination;
 pub use general::eliminate;
 pub(crate) use lowest::{Lowest, lowest};
 pub use positive::eliminate_positive;

@@ -70,21 +70,17 @@ fn below(columns: [&[f64]; COLUMNS]) -> [&[f64]; COLUMNS] {
     [&c0[COLUMNS..], &c1[COLUMNS - 1..], &c2[COLUMNS - 2..], &c3[COLUMNS - 3..]]
 }
 
-/// Overwrites `right` with `U^{-1} L^{-1} right`: `lower` and `upper` give whole columns of `L`, which has ones on its diagonal, and of `U`.
+/// Overwrites `right` with `U^{-1} L^{-1} right`: `column` gives those of the matrix that holds `L` below its diagonal, where `L` has ones, and `U` above and on it.
 ///
 /// Four columns at a time, as above.
-pub(crate) fn eliminate<'f>(
-    lower: impl Fn(usize) -> &'f [f64],
-    upper: impl Fn(usize) -> &'f [f64],
-    right: &mut [f64],
-) {
+pub(crate) fn eliminate<'f>(column: impl Fn(usize) -> &'f [f64], right: &mut [f64]) {
     let order = right.len();
     let blocks = order - order % COLUMNS;
     vectorised(
         #[inline(always)]
         || {
             for j in (0..blocks).step_by(COLUMNS) {
-                let columns = [0, 1, 2, 3].map(|k| lower(j + k));
+                let columns = [0, 1, 2, 3].map(|k| column(j + k));
                 let (heads, tail) = right[j..order].split_at_mut(COLUMNS);
                 for k in 0..COLUMNS {
                     for below in k + 1..COLUMNS {
@@ -99,16 +95,16 @@ pub(crate) fn eliminate<'f>(
             }
             for j in blocks..order {
                 let head = right[j];
-                subtract_column(&mut right[j + 1..], &lower(j)[j + 1..], head);
+                subtract_column(&mut right[j + 1..], &column(j)[j + 1..], head);
             }
             for j in (blocks..order).rev() {
-                let column = upper(j);
+                let column = column(j);
                 right[j] /= column[j];
                 let head = right[j];
                 subtract_column(&mut right[..j], column, head);
             }
             for j in (0..blocks).step_by(COLUMNS).rev() {
-                let columns = [0, 1, 2, 3].map(|k| upper(j + k));
+                let columns = [0, 1, 2, 3].map(|k| column(j + k));
                 let (above, heads) = right[..j + COLUMNS].split_at_mut(j);
                 for k in (0..COLUMNS).rev() {
                     for later in k + 1..COLUMNS {

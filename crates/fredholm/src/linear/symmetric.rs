@@ -1,11 +1,9 @@
 //! Symmetric systems and eigenvalue problems.
 
-use faer::linalg::solvers::PartialPivLu;
 use faer::{MatRef, Side};
 
 use super::dense::multiply_rows;
-use super::substitution::eliminate;
-use super::{Cholesky, dot, small_cholesky, vectorised};
+use super::{Cholesky, Elimination, dot, small_cholesky, vectorised};
 use crate::Error;
 
 /// Up to this order our own factorisation is faster than the library (order 51: 6 against 12 us; order 101: slower).
@@ -22,31 +20,7 @@ const STEPS: usize = 4;
 pub(crate) enum Factored {
     Small { order: usize, factor: Vec<f64> },
     Large(Cholesky),
-    Indefinite(Eliminated),
-}
-
-/// `L U`, the rows in the order of the pivots.
-#[derive(Debug, Clone)]
-pub(crate) struct Eliminated {
-    factors: PartialPivLu<f64>,
-}
-
-impl Eliminated {
-    /// Overwrites `right` with the solution. The method of the library underneath is made for many right-hand sides.
-    fn solve(&self, right: &mut [f64]) {
-        let (pivots, _) = self.factors.P().arrays();
-        let given = right.to_vec();
-        for (entry, pivot) in right.iter_mut().zip(pivots) {
-            *entry = given[*pivot];
-        }
-        let (lower, upper) = (self.factors.L(), self.factors.U());
-        eliminate(|j| column(lower, j), |j| column(upper, j), right);
-    }
-}
-
-/// A column of a factor, which the library stores one after the other.
-fn column(factor: MatRef<'_, f64>, j: usize) -> &[f64] {
-    factor.col(j).try_as_col_major().map_or(&[], |column| column.as_slice())
+    Indefinite(Elimination),
 }
 
 impl Factored {
@@ -108,8 +82,7 @@ impl Factored {
     pub(crate) fn indefinite(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
         let shifted =
             |i: usize, j: usize| f64::from(u8::from(i == j)) + parameter * matrix[j * order + i];
-        let factors = faer::Mat::from_fn(order, order, shifted).partial_piv_lu();
-        let factored = Self::Indefinite(Eliminated { factors });
+        let factored = Self::Indefinite(Elimination::new(order, shifted));
         let largest = (0..order)
             .map(|i| (0..order).map(|j| shifted(i, j).abs()).sum::<f64>())
             .fold(0.0, f64::max);
@@ -150,7 +123,7 @@ impl Factored {
         match self {
             Self::Small { order, factor } => small_cholesky::solve(factor, *order, right),
             Self::Large(cholesky) => cholesky.solve(right),
-            Self::Indefinite(eliminated) => eliminated.solve(right),
+            Self::Indefinite(elimination) => elimination.solve(right),
         }
     }
 }
