@@ -4,7 +4,12 @@ use std::ops::Range;
 
 use super::kernel::PanelKernel;
 use super::rule::{MOST, PanelRule};
+use super::threads::{each, parts_of};
 use crate::Error;
+use crate::linear::vectorised;
+
+/// Multiplications for each node of a panel that a value between them takes, about: a quotient is worth several.
+const INTERPOLATION: usize = 8;
 
 /// Disjoint panels of `[-1, 1]` from left to right, each with the same number of Gauss nodes, for functions that are a polynomial on each.
 #[derive(Debug, Clone)]
@@ -123,7 +128,44 @@ impl Panels {
     /// The function of these values at the nodes at any place of the panels; none beside them.
     #[must_use]
     pub fn interpolate(&self, values: &[f64], x: f64) -> Option<f64> {
-        let panel = self.find(x)?;
+        self.interpolate_on(self.find(x)?, values, x)
+    }
+
+    /// The same at many places, which are soonest found in order.
+    #[must_use]
+    pub fn interpolate_all(&self, values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
+        let mut found = vec![None; places.len()];
+        let work = INTERPOLATION * self.order() * places.len();
+        let share = places.len().div_ceil(parts_of(work)).max(1);
+        let parts = places.chunks(share).zip(found.chunks_mut(share));
+        each(parts.collect(), |(places, found)| {
+            vectorised(
+                #[inline(always)]
+                || {
+                    let mut panel = 0;
+                    for (x, found) in places.iter().zip(found) {
+                        panel = self.first_not_left_of(*x, panel);
+                        *found = self.interpolate_on(panel, values, *x);
+                    }
+                },
+            );
+        });
+        found
+    }
+
+    /// The first panel that ends at a place or right of it, often that one or the next.
+    #[inline(always)]
+    fn first_not_left_of(&self, x: f64, near: usize) -> usize {
+        let ends = |panel: usize| self.bounds.get(panel).is_none_or(|[_, right]| *right >= x);
+        let begins = |panel: usize| panel == 0 || !ends(panel - 1);
+        let is_first = |panel: &usize| begins(*panel) && ends(*panel);
+        let known = [near, near + 1].into_iter().find(is_first);
+        known.unwrap_or_else(|| self.bounds.partition_point(|[_, right]| *right < x))
+    }
+
+    #[inline(always)]
+    fn interpolate_on(&self, panel: usize, values: &[f64], x: f64) -> Option<f64> {
+        self.bounds.get(panel).filter(|[left, right]| *left <= x && x <= *right)?;
         let y = self.local(PanelKernel::Logarithm, panel, x);
         let values = values.get(panel * self.order()..(panel + 1) * self.order())?;
         Some(self.rule.interpolate(values, y))
@@ -180,5 +222,22 @@ mod tests {
         }
         assert_eq!(panels.derivatives(&[]), vec![0.0; panels.count()]);
         assert!(panels.limits(&[]).is_empty());
+    }
+
+    #[test]
+    fn many_places_give_what_each_gives_in_any_order() {
+        let panels = Panels::new(vec![[-0.9, -0.3], [-0.3, 0.1], [0.4, 0.41]], 6).unwrap();
+        let values: Vec<f64> = panels.nodes().iter().map(|x| x.sin()).collect();
+        let mut places: Vec<f64> = (-1000..=1000).map(|k| f64::from(k) / 1000.0).collect();
+        places.extend(panels.nodes());
+        places.extend([f64::NAN, 2.0, -0.3, 0.41, f64::INFINITY, -0.9, -5.0]);
+        // So many that they are done in parts, and now and then one far from the one before.
+        let places: Vec<f64> = (0..20_000).map(|k| places[k * k % places.len()]).collect();
+        for (x, found) in places.iter().zip(panels.interpolate_all(&values, &places)) {
+            assert_eq!(found, panels.interpolate(&values, *x), "{x}");
+            assert_eq!(found.is_some(), panels.find(*x).is_some(), "{x}");
+            assert!(found.is_none_or(|found| (found - x.sin()).abs() < 1e-7), "{x}: {found:?}");
+        }
+        assert!(panels.interpolate_all(&values[..3], &[0.0, -0.5]).iter().all(Option::is_none));
     }
 }

@@ -92,17 +92,24 @@ impl PanelRule {
     }
 
     /// The polynomial through values at the nodes.
+    #[inline(always)]
     pub(super) fn interpolate(&self, values: &[f64], y: f64) -> f64 {
-        let (mut above, mut below) = (0.0, 0.0);
-        for ((node, weight), value) in self.nodes.iter().zip(&self.barycentric).zip(values) {
-            let distance = y - node;
-            if distance == 0.0 {
-                return *value;
-            }
-            above += weight / distance * value;
-            below += weight / distance;
+        let mut shares = [0.0; MOST];
+        let of_nodes = self.nodes.iter().zip(&self.barycentric);
+        for (share, (node, weight)) in shares.iter_mut().zip(of_nodes) {
+            *share = weight / (y - node);
         }
-        above / below
+        let (mut above, mut below) = (0.0, 0.0);
+        for (share, value) in shares.iter().zip(values).take(self.order()) {
+            above += share * value;
+            below += share;
+        }
+        // At a node its share is infinite.
+        if below.is_finite() {
+            return above / below;
+        }
+        let node = self.nodes.iter().position(|node| *node == y);
+        node.and_then(|node| values.get(node)).copied().unwrap_or(f64::NAN)
     }
 }
 

@@ -53,8 +53,9 @@ pub(super) fn solve<'o, D: Discrete>(
 /// The layer of a solution on other zones or nodes; beside its zones less the gap, but no penetration, which on firm ground is far more than the layer will give.
 fn continued<D: Discrete>(on: &D, near: &Solved<D::Field>) -> Start {
     let (nodes, most) = (on.nodes(), FAINT * near.deepest());
-    let layer = (nodes.places.iter().zip(&nodes.heights))
-        .map(|(&xi, height)| match near.field.interpolated(&near.given, xi) {
+    let known = near.field.interpolated(&near.given, &nodes.places);
+    let layer = (nodes.places.iter().zip(&nodes.heights).zip(known))
+        .map(|((&xi, height), known)| match known {
             Some(known) => known,
             None if near.nodes.zone(xi).is_some() => near.layer_at(xi, *height),
             None => near.layer_at(xi, *height).min(most),
@@ -127,8 +128,7 @@ impl<'o, D: Discrete> Newton<'o, D> {
             let is_met = left <= enough || left > 0.5 * before && left <= small;
             let deadline = self.on.base().problem().deadline();
             deadline.spend(self.on.work());
-            let is_over = deadline.is_past();
-            if !is_blind && (is_met || is_over) {
+            if !is_blind && (is_met || deadline.is_past()) {
                 return self.found(trial);
             }
             let [least, most] = INEXACT;

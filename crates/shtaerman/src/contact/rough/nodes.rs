@@ -222,9 +222,9 @@ pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
         places.iter().map(|xi| self.at(*xi)).collect()
     }
 
-    /// The function of these values at the nodes at a place of the zones, where that is sooner known than the displacement.
-    fn interpolated(&self, _values: &[f64], _xi: f64) -> Option<f64> {
-        None
+    /// The function of these values at the nodes at places of the zones, where that is sooner known than the displacement.
+    fn interpolated(&self, _values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
+        vec![None; places.len()]
     }
 
     /// Places on each panel, from -1 to 1, at which resolutions are compared.

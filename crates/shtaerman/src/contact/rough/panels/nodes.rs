@@ -81,8 +81,9 @@ impl Field for OnPanels {
         self.field.values(&local).iter().map(|value| self.parameter * value).collect()
     }
 
-    fn interpolated(&self, values: &[f64], xi: f64) -> Option<f64> {
-        self.field.panels().interpolate(values, self.local(xi))
+    fn interpolated(&self, values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
+        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
+        self.field.panels().interpolate_all(values, &local)
     }
 
     fn between() -> Vec<f64> {
@@ -271,12 +272,12 @@ impl Discrete for PanelNodes<'_> {
         // What does not turn has no use for the third.
         let rights = [body, &ones, &lever];
         let rights = if turns { &rights[..] } else { &rights[..2] };
-        let start = |k: usize| -> Vec<f64> {
-            let near = near.map(|near| &near[k]);
-            let value = |xi: &f64| near.and_then(|near| near.field.interpolated(&near.layer, *xi));
-            self.nodes.places.iter().map(|xi| value(xi).unwrap_or(0.0)).collect()
+        let start = |near: &Response<OnPanels>| -> Vec<f64> {
+            let known = near.field.interpolated(&near.layer, &self.nodes.places);
+            known.into_iter().map(Option::unwrap_or_default).collect()
         };
-        let starts: Vec<Vec<f64>> = (0..rights.len()).map(start).collect();
+        let starts = near.map(|near| near.each_ref().map(start));
+        let starts = starts.unwrap_or_else(|| [(); 3].map(|()| vec![0.0; body.len()]));
         let tasks: Vec<PanelTask<'_>> = (rights.iter().zip(&starts))
             .map(|(right, start)| {
                 let tolerance = share * self.norm(right) * self.total.sqrt();

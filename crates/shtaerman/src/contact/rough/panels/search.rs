@@ -77,8 +77,7 @@ impl<'b> ManyPanels<'b> {
 
     /// The answer from zones that are nearly right. A gap that is about to close is so narrow, and what would pull there so little, that coarse panels do not tell: then the answer shows where to look.
     fn solve(&mut self, zones: Vec<Zone>) -> Result<(OnZones, Check), Error> {
-        let coarse = self.settled(zones, 0, None)?;
-        let (mut best, mut left) = self.answered(coarse)?;
+        let (mut best, mut left) = self.answered(self.settled(zones, 0, None)?)?;
         for _ in 0..CORRECTIONS {
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
@@ -182,11 +181,8 @@ impl<'b> ManyPanels<'b> {
         let base = self.base;
         let size = solved.deepest() + solved.state.settlement.abs() + solved.state.tilt.abs();
         let given = |xi: f64| solved.layer_at(xi, base.height(xi));
-        let inside = |xi: f64| {
-            // At an end the polynomials are least exact, and beside it the same function goes on.
-            let at_end = solved.nodes.end_at(xi).is_some();
-            if at_end { None } else { solved.field.interpolated(&solved.given, xi) }
-        };
+        // At an end the polynomials are least exact, and beside it the same function goes on.
+        let is_inside = |xi: &f64| solved.nodes.end_at(*xi).is_none();
         // Of zones and of the gaps between them the ends and the middles.
         let ends: Vec<f64> = solved.nodes.zones.iter().flat_map(|zone| zone.ends).collect();
         let middles = ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
@@ -198,7 +194,9 @@ impl<'b> ManyPanels<'b> {
             points.extend(base.points(own.collect()));
             crate::order::sort_by_number(&mut points, |one| one.0);
             points.dedup_by(|one, two| one.0 == two.0);
-            let known: Vec<Option<f64>> = points.iter().map(|(xi, _)| inside(*xi)).collect();
+            let at: Vec<f64> = points.iter().map(|(xi, _)| *xi).collect();
+            let known = solved.field.interpolated(&solved.given, &at).into_iter().zip(&at);
+            let known: Vec<_> = known.map(|(known, xi)| known.filter(|_| is_inside(xi))).collect();
             let open = points.iter().zip(&known).filter(|(_, known)| known.is_none());
             let mut found =
                 solved.layers_at(&open.map(|(at, _)| *at).collect::<Places>()).into_iter();
