@@ -352,11 +352,11 @@ impl Audit<'_> {
     /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already, and there its
     /// largest pressure is found.
     fn resampled(&self, zones: &[Bounded]) -> [f64; 2] {
-        let [mut largest, mut narrowly] = [0.0f64; 2];
+        let (mut largest, mut narrowly) = (0.0f64, f64::NEG_INFINITY);
         for panel in &self.density.panels {
             for (x, pressure, off) in compared(panel, self.answer.pressure) {
                 if is_narrow(zones, x) {
-                    narrowly = narrowly.max(pressure.abs());
+                    narrowly = narrowly.max(pressure);
                 } else {
                     largest = largest.max(off);
                 }

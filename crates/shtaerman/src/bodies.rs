@@ -161,6 +161,19 @@ impl Bodies {
         self.grading().is_none() && self.layering().is_none()
     }
 
+    /// What keeps the degenerate kernel from solving their contact: it is one of one plane punch on a linear layer and a half-plane.
+    #[must_use]
+    pub(crate) fn without_degenerate_kernel(&self) -> Option<&'static str> {
+        match self.law() {
+            _ if self.geometry() != Geometry::Plane => Some("the geometry is another"),
+            _ if self.grading().is_some() => Some("the ground is graded"),
+            _ if self.layering().is_some() => Some("the ground is layered"),
+            Law::Smooth => Some("the surface is smooth"),
+            Law::Linear => None,
+            Law::Power { .. } => Some("the layer follows a power law"),
+        }
+    }
+
     /// `theta0`; of a smooth surface, where its scale is undefined, a number of internal use.
     #[must_use]
     pub(crate) fn theta0(&self) -> f64 {

@@ -155,7 +155,8 @@ impl Solver {
         self.method
     }
 
-    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n` and the key `n` of problem files, where it is fixed.
+    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n` and the key `n` of problem files, where it is fixed. Contacts other than that of one plane punch on a linear layer
+    /// and a half-plane have no degenerate kernel: problem files refuse it there, here it is of no effect.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
         self.degree

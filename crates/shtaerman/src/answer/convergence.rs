@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::solver::check_memory;
-use crate::{Contact, ContactKind, Error, Geometry, Law, Problem, Solver, Vertical};
+use crate::{Contact, ContactKind, Error, Law, Problem, Solver, Vertical};
 
 /// The first degree.
 pub const FIRST_DEGREE: usize = 8;
@@ -114,18 +114,12 @@ impl Convergence {
 
 /// Refuses what is not solved by the degenerate kernel.
 fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
-    let bodies = problem.bodies();
-    let solve = "solve it instead, its error is part of every answer";
-    let refused = if bodies.geometry() != Geometry::Plane {
-        Some(("the geometry is another", solve))
-    } else if bodies.grading().is_some() {
-        Some(("the ground is graded", solve))
-    } else if bodies.layering().is_some() {
-        Some(("the ground is layered", solve))
-    } else if bodies.law() == Law::Smooth {
-        Some(("the surface is smooth", "give a roughness greater than zero"))
-    } else if bodies.law() != Law::Linear {
-        Some(("the layer follows a power law", solve))
+    let refused = if let Some(found) = problem.bodies().without_degenerate_kernel() {
+        let remedy = match problem.bodies().law() {
+            Law::Smooth => "give a roughness greater than zero",
+            _ => "solve it instead, its error is part of every answer",
+        };
+        Some((found, remedy))
     } else if problem.solver().contact == ContactKind::Unilateral && lifts_off(problem)? {
         let keep = "contact = \"bilateral\" keeps the full base in contact, and more force may";
         Some(("the punch lifts off", keep))

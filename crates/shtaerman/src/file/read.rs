@@ -50,6 +50,7 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Er
         }
         (physical::read(&reader)?, section::required(&reader, "punch")?)
     };
+    solver::require_degenerate_kernel(&reader, &stated.bodies)?;
     let mut profile = profile::read(&punch, &stated.bodies, folder)?;
     let doubts = std::mem::take(&mut profile.doubts);
     let load = if is_bare { punch } else { section::required(&reader, "load")? };

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::bodies::Bodies;
 use crate::document::{Field, TableReader};
 use crate::quantity::Dimension;
 use crate::solver::{check_memory, most_degree};
@@ -51,6 +52,26 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
         None => None,
     };
     Ok(Solver { contact, method, degree, tolerance, time_limit })
+}
+
+/// Refuses what asks for the degenerate kernel where that does not solve the problem.
+pub(super) fn require_degenerate_kernel(
+    reader: &TableReader<'_>,
+    bodies: &Bodies,
+) -> Result<(), Error> {
+    let (Some(table), Some(found)) = (reader.table("solver")?, bodies.without_degenerate_kernel())
+    else {
+        return Ok(());
+    };
+    let method = table.optional("method");
+    let spectral = method.filter(|field| field.string().is_ok_and(|name| name == "spectral"));
+    let Some(field) = spectral.or_else(|| table.optional("n")) else { return Ok(()) };
+    let message = format!(
+        "asks for the degenerate kernel, which solves one plane punch on a linear layer and a half-plane: here {found}"
+    );
+    let help =
+        "leave it out: the method follows from the problem, and the error is part of the answer";
+    Err(field.error(message).with_help(help).into())
 }
 
 /// How long a search may take.

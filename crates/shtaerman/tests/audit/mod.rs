@@ -201,6 +201,24 @@ fn estimates_hold_against_closed_forms() {
     }
 }
 
+/// Kept in contact without a force, a parabola pulls at its edges six times as much as it presses in the middle; how much it pulls says nothing about how well that is known.
+#[test]
+fn the_largest_pressure_is_known_beside_larger_tension() {
+    let foundation = Foundation::dimensionless(5.8).unwrap();
+    let punch = Punch::new(1.0).unwrap().with_profile(Profile::expression("10*xi^2").unwrap());
+    let load = Load::new(Vertical::Force(0.0), Rotational::Moment(0.0)).unwrap();
+    let problem = Problem::new(foundation, punch, load).unwrap();
+    let contact = problem.with_solver(Solver::bilateral()).solve().unwrap().audited().unwrap();
+    let contact = contact.dimensionless();
+    let (stated, peak) = (contact.error().unwrap(), contact.peak_pressure());
+    assert!(peak > 0.0 && contact.pressure(1.0).unwrap() < -5.0 * peak);
+    // The pressures carry no force, and the middle is the highest of many places.
+    let highest = (0..=1000).map(|k| contact.pressure(f64::from(k) / 1000.0).unwrap());
+    let highest = highest.fold(f64::NEG_INFINITY, f64::max);
+    let known = stated.peak_pressure.unwrap();
+    assert!((peak - highest).abs() <= known && known <= 1e-9 * peak, "{peak} {known:e}");
+}
+
 #[test]
 fn what_is_not_covered_says_why() {
     let steel = shtaerman::Elastic::new(200e9, 0.3).unwrap();
