@@ -302,6 +302,11 @@ fn mirror(matrix: &mut [f64], order: usize) {
 /// for on strongly graded ground are too far from each other to resolve the kernel (survey of 36 tips and 100 disks: right to 1e-13 but for `p <= 0.2`; twenty powers of ten deeper flat disks are not).
 pub(super) const TIP: f64 = 1e-26;
 
+/// The distance from the left end within which potentials are settled: that of the kernel where the panels begin at the centre of a disk.
+pub(super) fn settled(kernel: &dyn Kernel, mesh: &Mesh) -> f64 {
+    if mesh.boundaries().first() == Some(&0.0) { kernel.settled() } else { 0.0 }
+}
+
 /// Adds to the row of a boundary what its sum leaves out on both sides: with a kernel that is nearly as singular as `1/d` there is much before the first node that has a mass, and where potentials are settled. The density
 /// does not change there, and masses times the kernel go as `g = w d^-q`, at the centre of a disk of order 0, too: all is added to that node.
 ///
@@ -314,7 +319,7 @@ fn add_left_out(
     row: &mut [f64],
 ) {
     let q = kernel.singularity().exponent();
-    let settled = if boundary == 0 { TIP * kernel.settled() } else { 0.0 };
+    let settled = if boundary == 0 { TIP * settled(kernel, mesh) } else { 0.0 };
     let count = mesh.panel_count();
     for panel in 0..mesh.panels() {
         let first = panel * count;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::assembly::{Block, TIP, blocks};
+use super::assembly::{Block, TIP, blocks, settled};
 use super::estimate::{self, largest};
 use super::mesh::Mesh;
 use super::{Place, SincGrid, SincSolution};
@@ -32,10 +32,10 @@ pub struct SincOperator {
     /// Weights of the nodes in the measure of the kernel.
     masses: Vec<f64>,
     blocks: Vec<Block>,
+    /// Exponent of the singularity of the kernel.
+    exponent: f64,
     /// Within this distance from the left end potentials have its value.
     settled: f64,
-    /// The same as a share of a panel, from where it meets another one.
-    settled_beside: f64,
 }
 
 impl SincOperator {
@@ -107,14 +107,9 @@ impl SincOperator {
     pub(super) fn on_mesh(kernel: &dyn Kernel, mesh: Mesh) -> Result<Self, Error> {
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
-        Ok(Self {
-            interval: kernel.interval(),
-            mesh: Arc::new(mesh),
-            masses,
-            blocks,
-            settled: kernel.settled(),
-            settled_beside: settled_beside(kernel.singularity().exponent()),
-        })
+        let (exponent, settled) = (kernel.singularity().exponent(), settled(kernel, &mesh));
+        let (interval, mesh) = (kernel.interval(), Arc::new(mesh));
+        Ok(Self { interval, mesh, masses, blocks, exponent, settled })
     }
 
     /// `K phi` at the nodes for a density `phi` given at the nodes; zero on a panel leaves that panel out of the integral.
@@ -132,7 +127,7 @@ impl SincOperator {
             block.extend(&block.potential(&z), &mut potential);
             block.add_boundary_potential(&z, &mut boundaries);
         }
-        self.fill_corners(&mut potential, &boundaries, density);
+        self.fill_corners(&mut potential, &boundaries, density, 0.0);
         Ok(potential)
     }
 
@@ -248,13 +243,24 @@ impl SincOperator {
 
     /// The solution `phi = f - parameter (K phi)` from the scaled solutions `z` of the blocks.
     pub(super) fn finish(&self, parameter: f64, f: &[f64], scaled: &[Vec<f64>]) -> SincSolution {
+        self.finish_like((f, parameter.abs()), parameter, f, scaled)
+    }
+
+    /// The same where the density has its kinks with a function that is given at the nodes, and its potential is multiplied by so much relative to that.
+    pub(super) fn finish_like(
+        &self,
+        (given, strength): (&[f64], f64),
+        parameter: f64,
+        f: &[f64],
+        scaled: &[Vec<f64>],
+    ) -> SincSolution {
         let mut potential = vec![0.0; self.count()];
         let mut boundaries = vec![0.0; self.mesh.boundaries().len()];
         for (block, z) in self.blocks.iter().zip(scaled) {
             block.extend(&block.potential(z), &mut potential);
             block.add_boundary_potential(z, &mut boundaries);
         }
-        self.fill_corners(&mut potential, &boundaries, f);
+        self.fill_corners(&mut potential, &boundaries, given, strength);
         // Division of z by the tiny weights near the ends would lose digits.
         let values: Vec<f64> = f.iter().zip(&potential).map(|(f, u)| f - parameter * u).collect();
         let masses = self.masses(scaled);
@@ -271,37 +277,73 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes in a corner have the potential of that end of their panel, and so have those where it is settled.
-    fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64], given: &[f64]) {
-        let none = f64::EPSILON * largest(given);
+    /// Nodes in a corner have the potential of that end of their panel, and so have those about the centre of a disk where it is settled; beside a kink it is straight.
+    fn fill_corners(
+        &self,
+        potential: &mut [f64],
+        boundaries: &[f64],
+        given: &[f64],
+        strength: f64,
+    ) {
+        let none = estimate::ROUNDING * largest(given);
         for (i, place) in self.mesh.places().enumerate() {
-            if self.is_settled(i, place, given, none) || self.is_corner(self.masses[i], place) {
+            // At a tip or a step the function that is given changes, and potentials with it.
+            let is_settled = place.panel == 0
+                && place.from_left < self.settled.min(place.from_right)
+                && (given[i] - given[0]).abs() <= none;
+            if is_settled || self.is_corner(self.masses[i], place) {
                 let at_left = place.from_left < place.from_right;
                 let end = self.mesh.left_end(place.panel) + usize::from(!at_left);
                 potential[i] = boundaries[end];
             }
         }
+        if self.exponent > 0.0 {
+            for panel in 1..self.mesh.panels() {
+                let at_end = boundaries[self.mesh.left_end(panel)];
+                self.straighten(panel, potential, at_end, (given, none, strength));
+            }
+        }
     }
 
-    /// Whether a node is so near to the centre, or to where panels meet, that potentials do not change there, if the function that is given changes by no more than `none`. It does at a tip or a step.
-    fn is_settled(&self, i: usize, place: Place, given: &[f64], none: f64) -> bool {
-        let count = self.mesh.panel_count();
-        let at_left = place.from_left < place.from_right;
-        let first = (place.panel + usize::from(!at_left)) * count;
-        let is_inside = 0 < first && first < given.len() && {
-            let panel = first / count;
-            self.mesh.left_end(panel) == self.mesh.left_end(panel - 1) + 1
+    /// Makes a potential straight on both sides of where a panel begins that touches the one before, as far as it is: the nodes there are too far from each other to resolve a kernel that is nearly as singular as `1/d`.
+    ///
+    /// Where the slope of a density bends by `b`, the potential leaves a straight line by `b d^(2-q)/((1-q)(2-q))`; where the function that is given is not straight itself, as at a tip, by more.
+    fn straighten(
+        &self,
+        panel: usize,
+        potential: &mut [f64],
+        at_end: f64,
+        (given, none, strength): (&[f64], f64, f64),
+    ) {
+        let Some(sides) = Sides::new(&self.mesh, panel) else { return };
+        let measured = sides.beyond(MEASURED * sides.length);
+        let slopes = [0, 1].map(|side| sides.slope(given, side, measured[side]));
+        let off = none / sides.distance(0, measured[0]).min(sides.distance(1, measured[1]));
+        let bend = (slopes[0] + slopes[1]).abs() + 2.0 * off;
+        let q = self.exponent;
+        let strength = strength.max(sides.length.powf(q - 1.0));
+        let unchanged = UNCHANGED * largest(given) * (1.0 - q) * (2.0 - q);
+        let reach = (unchanged / (strength * bend)).powf(1.0 / (2.0 - q));
+        let last = sides.beyond(reach.min(SMOOTH * sides.length));
+        let jump = given[sides.node(0, 0)] - given[sides.node(1, 0)];
+        let is_straight = |side: usize| {
+            let (deepest, slope) =
+                (given[sides.node(side, 0)], sides.slope(given, side, last[side]));
+            (0..last[side]).all(|k| {
+                let line = deepest + slope * sides.distance(side, k);
+                (given[sides.node(side, k)] - line).abs() <= none
+            })
         };
-        let (reach, deepest) = match is_inside {
-            true => {
-                let length = place.from_left + place.from_right;
-                (self.settled_beside * length, [given[first - 1], given[first]])
+        if jump.abs() > none || !is_straight(0) || !is_straight(1) {
+            return;
+        }
+        for side in [0, 1] {
+            let last = last[side];
+            let slope = (potential[sides.node(side, last)] - at_end) / sides.distance(side, last);
+            for k in 0..last {
+                potential[sides.node(side, k)] = at_end + slope * sides.distance(side, k);
             }
-            false if first == 0 => (self.settled, [given[0]; 2]),
-            false => return false,
-        };
-        let is_near = place.from_left.min(place.from_right) < reach;
-        is_near && deepest.iter().all(|value| (given[i] - value).abs() <= none)
+        }
     }
 
     /// Whether a node is so deep in a corner that its mass vanishes, or that nothing changes any more.
@@ -312,11 +354,53 @@ impl SincOperator {
 
 /// A change of potentials, relative to them, that is rounding.
 const UNCHANGED: f64 = 1e-16;
+/// Share of the shorter of two panels within which what is smooth on both goes straight but for rounding: its curvature counts by the square.
+const SMOOTH: f64 = 1e-8;
+/// The same at which slopes are measured.
+const MEASURED: f64 = 1e-9;
 
-/// Within what share of a panel from where it meets the next potentials have their value there but for [`UNCHANGED`]: beside a kink they leave it as `d^(2-q)`. Nearer nodes on two panels are too far from each other to
-/// resolve a kernel that is nearly as singular as `1/d`; one as the logarithm, or less singular, needs no such thing.
-fn settled_beside(q: f64) -> f64 {
-    if q > 0.0 { UNCHANGED.powf(1.0 / (2.0 - q)) } else { 0.0 }
+/// The nodes of two panels that touch, counted on both from there.
+struct Sides<'m> {
+    mesh: &'m Mesh,
+    /// The panel on the right.
+    panel: usize,
+    /// Length of the shorter one.
+    length: f64,
+}
+
+impl<'m> Sides<'m> {
+    /// The panel with the one before it, if they touch.
+    fn new(mesh: &'m Mesh, panel: usize) -> Option<Self> {
+        let length = |panel: usize| {
+            let place = mesh.place(panel * mesh.panel_count());
+            place.from_left + place.from_right
+        };
+        let touch = mesh.left_end(panel) == mesh.left_end(panel.checked_sub(1)?) + 1;
+        touch.then(|| Self { mesh, panel, length: length(panel - 1).min(length(panel)) })
+    }
+
+    fn node(&self, side: usize, k: usize) -> usize {
+        let first = self.panel * self.mesh.panel_count();
+        if side == 0 { first - 1 - k } else { first + k }
+    }
+
+    fn distance(&self, side: usize, k: usize) -> f64 {
+        let place = self.mesh.place(self.node(side, k));
+        if side == 0 { place.from_right } else { place.from_left }
+    }
+
+    /// The first node on either side that is not nearer than that, which is less than half a panel.
+    fn beyond(&self, distance: f64) -> [usize; 2] {
+        let middle = self.mesh.panel_count() / 2;
+        [0, 1]
+            .map(|side| (0..middle).find(|k| self.distance(side, *k) >= distance).unwrap_or(middle))
+    }
+
+    /// The slope outwards from the deepest node of a side to another; 0 for itself.
+    fn slope(&self, values: &[f64], side: usize, k: usize) -> f64 {
+        let rise = values[self.node(side, k)] - values[self.node(side, 0)];
+        rise / self.distance(side, k)
+    }
 }
 
 /// Masses below this share of the largest count as zero: so deep in a corner a kernel may overflow.

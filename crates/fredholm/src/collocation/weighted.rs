@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::assembly::Part;
+use super::estimate::largest;
 use super::{SincOperator, SincSolution};
 use crate::Error;
 use crate::linear::Factored;
@@ -67,7 +68,14 @@ impl<'o> WeightedFactor<'o> {
     /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
     pub fn solve(&self, right_hand_side: &[f64]) -> Result<SincSolution, Error> {
         let scaled = self.scaled(right_hand_side)?;
-        Ok(self.operator.finish(self.parameter, right_hand_side, &scaled))
+        let roots = match &self.factored {
+            Parts::Whole { roots, .. } => largest(roots),
+            Parts::Blocks(parts) => {
+                parts.iter().fold(0.0, |most, (roots, _)| largest(roots).max(most))
+            }
+        };
+        let like = (right_hand_side, self.parameter.abs() * roots * roots);
+        Ok(self.operator.finish_like(like, self.parameter, right_hand_side, &scaled))
     }
 
     /// What the integrals of that add up, as [`SincSolution::node_masses`], without the potential, which takes as long as the solution.
@@ -145,12 +153,8 @@ impl SincOperator {
         self.require_values(right_hand_side)?;
         self.require_values(density)?;
         let scaled = density.iter().zip(self.node_masses()).map(|(p, mass)| p * mass.sqrt());
-        Ok(self.respond(parameter, right_hand_side, &scaled.collect::<Vec<_>>()))
-    }
-
-    /// `f - parameter K p` for the density `p` scaled by the roots of the masses.
-    fn respond(&self, parameter: f64, right_hand_side: &[f64], scaled: &[f64]) -> SincSolution {
-        self.finish(parameter, right_hand_side, &self.restricted(scaled))
+        let restricted = self.restricted(&scaled.collect::<Vec<_>>());
+        Ok(self.finish_like((density, 1.0), parameter, right_hand_side, &restricted))
     }
 
     /// What a density scaled by the roots of the masses is to the blocks.

@@ -169,3 +169,65 @@ fn pressures_beside_a_kink_of_strongly_graded_ground_go_on_as_its_slope() {
         }
     }
 }
+
+/// Where one side of a kink is steeper than the other the pressure has a slope on both; differences from the pressure at the kink by product integration on panels in the logarithm of the distance, known to what is given last.
+#[test]
+fn the_flat_side_of_a_kink_has_the_slope_that_the_body_gives_it() {
+    let cases = [
+        ([0.8, 0.03, 1e-6], -3.162_277_660_168_379e-14, -3.659_92e-8, 5e-13),
+        ([0.7, 0.03, 1e-4], -3.162_277_660_168_379e-13, -4.588_04e-9, 5e-14),
+        ([0.9, 3.0, 1e-8], -1e-15, -3.951_04e-10, 5e-15),
+        ([0.7, 0.03, 1e-2], -3.162_277_660_168_379e-13, -5.0132e-11, 5e-15),
+        ([0.8, 0.3, 1e-8], -3.162_277_660_168_379e-14, -1.421_53e-7, 5e-12),
+    ];
+    for ([exponent, roughness, width], place, truth, known) in cases {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\nhalf_width = 1.0\nprofile = \"0.1*min(1, max(0, x)/{width:e})\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let rise = contact.pressure(place).unwrap() - contact.pressure(0.0).unwrap();
+        let off = (rise - truth).abs();
+        assert!(off <= stated + known, "{exponent} {width}: off by {off:e}, {stated:e} stated");
+        assert!(stated < 1e-11, "{exponent} {width}: {stated:e} stated");
+    }
+}
+
+/// The inner edge of a ring is no centre: a pad with a recess, beside the recess, by product integration as above; places there are known to a rounding of theirs.
+#[test]
+fn inner_edges_of_pads_on_graded_ground_are_edges() {
+    for (exponent, beside, truth) in [
+        (0.5, 1e-11, 0.747_324_021_417),
+        (0.6, 1e-12, 0.864_741_000_134),
+        (0.7, 1e-13, 1.039_234_927_7),
+    ] {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = 0.3\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"step(0.5 - rho)\"\n[load]\nforce = 1.0\ntilt = 0.0\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let off = (contact.pressure(0.5 + beside).unwrap() - truth).abs();
+        assert!(off <= stated + 1e-12, "{exponent}: off by {off:e}, {stated:e} stated");
+        assert!(stated < 1e-9, "{exponent}: {stated:e} stated");
+    }
+}
+
+/// Under weak roughness the nodes about the axis tell least; the pressure is even and flat there.
+#[test]
+fn pressures_about_the_axis_of_graded_ground_under_rough_disks_are_as_good_as_stated() {
+    for (exponent, roughness) in [(0.7, 1000.0), (0.75, 300.0), (0.85, 1e4), (0.85, 1e5)] {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"0\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let beyond = contact.pressure(1e-9).unwrap();
+        for r in [1e-30, 1e-16, 1e-14, 3e-14, 1e-13, 3e-13, 1e-12, 1e-11] {
+            let off = (contact.pressure(r).unwrap() - beyond).abs();
+            assert!(
+                off <= 2.0 * stated,
+                "{exponent} {roughness}: off by {off:e}, {stated:e} stated"
+            );
+        }
+    }
+}

@@ -104,8 +104,7 @@ impl<F: Field> RoughContact<F> {
 
     /// The same as contact that might lift off, and does not.
     pub(super) fn lifting(self) -> Self {
-        let complementarity = Some(Complementarity { tension: 0.0, penetration: 0.0 });
-        Self { complementarity, ..self }
+        Self { complementarity: Some(Complementarity { tension: 0.0, penetration: 0.0 }), ..self }
     }
 
     /// What turns with `cos(phi)` at a place of the base.

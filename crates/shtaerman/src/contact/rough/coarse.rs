@@ -20,7 +20,6 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     cells.settled((base.ground.as_ref(), deadline), |cells, roots, matrix| {
         let means = cells.means(|places| base.surface.heights(places));
         let loaded = Loaded::new(cells, &roots, load, gain, &means);
-        let matrix = Complementarity::new(matrix, gain * base.strength())?;
-        loaded.solve((cells, deadline), &matrix)
+        loaded.solve((cells, deadline), &Complementarity::new(matrix, gain * base.strength())?)
     })
 }

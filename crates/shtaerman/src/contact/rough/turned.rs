@@ -158,8 +158,7 @@ pub(super) fn turned<F: Field>(
     let tilted = Tilted { unit, off, tilt: solved.state.tilt, given, kernel };
     if !base.is_bilateral {
         let [limit, tension] = tilted.tension(base, solved);
-        let rounding = solved.rounding() + ALLOWED * solved.largest();
-        if limit < 1.0 && tension > rounding {
+        if limit < 1.0 && tension > solved.rounding() + ALLOWED * solved.largest() {
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
     }

@@ -16,6 +16,9 @@ use crate::contact::rough::nodes::{
 };
 use crate::contact::zones::Zone;
 
+/// Shares of a panel from its ends at which resolutions are compared as well: on graded ground few nodes do not resolve a kernel that is nearly as singular as `1/d` about there, and only there (theory).
+const BESIDE_ENDS: [f64; 4] = [3e-14, 3e-13, 3e-12, 3e-11];
+
 /// A number of nodes with what can be shared among zones.
 pub(in crate::contact::rough) struct Resolution {
     /// Nodes on either side of the middle of a panel, before they are rounded to a number.
@@ -88,7 +91,9 @@ impl Field for SincField {
     }
 
     fn between() -> Vec<f64> {
-        between_nodes(PLACES).collect()
+        let beside =
+            BESIDE_ENDS.into_iter().flat_map(|share| [2.0 * share - 1.0, 1.0 - 2.0 * share]);
+        between_nodes(PLACES).chain(beside).collect()
     }
 }
 
@@ -135,8 +140,7 @@ impl<'b> SincNodes<'b> {
         let frame = Frame::new(base, hull, ground.gauge(&hull));
         let (zones, locals) = (zones.to_vec(), operator.positions().collect());
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        let parameter = base.strength() * ground.scale(&hull);
-        Ok(Self { base, operator, nodes, parameter })
+        Ok(Self { base, operator, nodes, parameter: base.strength() * ground.scale(&hull) })
     }
 
     fn with_displacement(&self, solution: SincSolution) -> Pressed<SincSolution> {
