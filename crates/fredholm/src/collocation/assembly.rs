@@ -302,9 +302,12 @@ fn mirror(matrix: &mut [f64], order: usize) {
 /// for on strongly graded ground are too far from each other to resolve the kernel (survey of 36 tips and 100 disks: right to 1e-13 but for `p <= 0.2`; twenty powers of ten deeper flat disks are not).
 pub(super) const TIP: f64 = 1e-26;
 
-/// The distance from the left end within which potentials are settled: that of the kernel where the panels begin at the centre of a disk.
+/// The distance from the left end within which potentials are settled: that of the kernel where the panels begin at the centre of a disk, less where the first one is short: potentials change over its length then.
 pub(super) fn settled(kernel: &dyn Kernel, mesh: &Mesh) -> f64 {
-    if mesh.boundaries().first() == Some(&0.0) { kernel.settled() } else { 0.0 }
+    match mesh.boundaries() {
+        [0.0, first, ..] => kernel.settled() * (first / kernel.interval().right()).min(1.0),
+        _ => 0.0,
+    }
 }
 
 /// Adds to the row of a boundary what its sum leaves out on both sides: with a kernel that is nearly as singular as `1/d` there is much before the first node that has a mass, and where potentials are settled. The density
