@@ -220,7 +220,7 @@ impl Base {
     pub(super) fn cells(&self) -> usize {
         // Panels find the zones of a linear layer from any that are about right: more cells would only delay them.
         let is_sure = self.is_for_panels() && self.layer.is_linear();
-        let most = if is_sure && self.pieces.len() == 1 { 0 } else { MOST_CELLS };
+        let most = if is_sure { 0 } else { MOST_CELLS };
         valleys::cells(self.valleys().count(), most)
     }
 
