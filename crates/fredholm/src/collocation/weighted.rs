@@ -68,13 +68,13 @@ impl<'o> WeightedFactor<'o> {
     /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
     pub fn solve(&self, right_hand_side: &[f64]) -> Result<SincSolution, Error> {
         let scaled = self.scaled(right_hand_side)?;
-        let roots = match &self.factored {
+        let steepest = match &self.factored {
             Parts::Whole { roots, .. } => largest(roots),
             Parts::Blocks(parts) => {
                 parts.iter().fold(0.0, |most, (roots, _)| largest(roots).max(most))
             }
         };
-        let like = (right_hand_side, self.parameter.abs() * roots * roots);
+        let like = (right_hand_side, self.parameter.abs() * steepest * steepest);
         Ok(self.operator.finish_like(like, self.parameter, right_hand_side, &scaled))
     }
 

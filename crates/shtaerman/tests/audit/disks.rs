@@ -17,6 +17,17 @@ fn audited(theta0: f64, profile: Profile, rotational: Rotational) -> Contact {
     contact
 }
 
+const DISK: &str = "geometry = \"circular\"\nradius = 1.0";
+const PLANE: &str = "half_width = 1.0";
+
+/// A punch kept in contact by a force of 1 with rough ground graded by this exponent, with that roughness.
+fn held([exponent, roughness]: [f64; 2], punch: &str, profile: &str) -> Contact {
+    let toml = format!(
+        "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\n{punch}\nprofile = \"{profile}\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
+    );
+    shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap()
+}
+
 /// Moment over tilt of a flat punch.
 fn stiffness(theta0: f64) -> f64 {
     let turned = audited(theta0, Profile::flat(), Rotational::Tilt(1e-3));
@@ -94,10 +105,7 @@ fn what_turns_alone_has_a_resolution_of_its_own() {
 #[test]
 fn pressures_on_the_axis_of_strongly_graded_ground() {
     for exponent in [0.85, 0.89, 0.93, 0.95, 0.97, 0.98] {
-        let toml = format!(
-            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = 0.1\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"0\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
-        );
-        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact = held([exponent, 0.1], DISK, "0");
         let stated = contact.error().unwrap().pressure;
         let axis = contact.pressure(0.0).unwrap();
         for r in [1e-40, 1e-34, 1e-21, 1e-16, 1e-13, 1e-6] {
@@ -154,10 +162,7 @@ fn strongly_graded_ground_at_rims_on_the_axis_and_beside_tips() {
 #[test]
 fn pressures_beside_a_kink_of_strongly_graded_ground_go_on_as_its_slope() {
     for (exponent, roughness) in [(0.8, 0.1), (0.85, 0.5), (0.85, 2.0), (0.85, 10.0)] {
-        let toml = format!(
-            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\nhalf_width = 1.0\nprofile = \"0.1*abs(x)\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
-        );
-        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact = held([exponent, roughness], PLANE, "0.1*abs(x)");
         let stated = contact.error().unwrap().pressure;
         let kink = contact.pressure(0.0).unwrap();
         for x in [1e-30f64, -1e-26, 1e-21, 1e-18, -1e-16] {
@@ -181,10 +186,8 @@ fn the_flat_side_of_a_kink_has_the_slope_that_the_body_gives_it() {
         ([0.8, 0.3, 1e-8], -3.162_277_660_168_379e-14, -1.421_53e-7, 5e-12),
     ];
     for ([exponent, roughness, width], place, truth, known) in cases {
-        let toml = format!(
-            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\nhalf_width = 1.0\nprofile = \"0.1*min(1, max(0, x)/{width:e})\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
-        );
-        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact =
+            held([exponent, roughness], PLANE, &format!("0.1*min(1, max(0, x)/{width:e})"));
         let stated = contact.error().unwrap().pressure;
         let rise = contact.pressure(place).unwrap() - contact.pressure(0.0).unwrap();
         let off = (rise - truth).abs();
@@ -216,10 +219,7 @@ fn inner_edges_of_pads_on_graded_ground_are_edges() {
 #[test]
 fn pressures_about_the_axis_of_graded_ground_under_rough_disks_are_as_good_as_stated() {
     for (exponent, roughness) in [(0.7, 1000.0), (0.75, 300.0), (0.85, 1e4), (0.85, 1e5)] {
-        let toml = format!(
-            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = {exponent}\ngrading_modulus = 1.0\nroughness = {roughness}\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"0\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
-        );
-        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact = held([exponent, roughness], DISK, "0");
         let stated = contact.error().unwrap().pressure;
         let beyond = contact.pressure(1e-9).unwrap();
         for r in [1e-30, 1e-16, 1e-14, 3e-14, 1e-13, 3e-13, 1e-12, 1e-11] {
@@ -239,10 +239,7 @@ fn a_bend_hardly_off_the_axis_of_graded_ground_is_seen_from_there() {
         ("0.1*min(1, max(0, rho - 1e-12)/1e-12)", 3.2e-13, 0.367_467_993_973_661),
         ("0.02*step(rho - 1e-8)", 3.2e-10, 0.287_467_898_113_064),
     ] {
-        let toml = format!(
-            "[foundation]\npoisson_ratio = 0.3\ngrading_exponent = 0.3\ngrading_modulus = 1.0\nroughness = 1.0\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"{profile}\"\n[load]\nforce = 1.0\ntilt = 0.0\n[solver]\ncontact = \"bilateral\"\n"
-        );
-        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact = held([0.3, 1.0], DISK, profile);
         let off = (contact.pressure(place).unwrap() - truth).abs();
         // Some times what the method states, 1e-13; it was off by a hundred times as much where all up to half the bend counted as the centre.
         assert!(off < 1e-12, "{profile}: off by {off:e}");

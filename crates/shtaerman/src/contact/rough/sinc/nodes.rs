@@ -16,7 +16,7 @@ use crate::contact::rough::nodes::{
 };
 use crate::contact::zones::Zone;
 
-/// Shares of a panel from its ends at which resolutions are compared as well: on graded ground few nodes do not resolve a kernel that is nearly as singular as `1/d` about there, and only there (theory).
+/// Shares of a panel from its ends at which resolutions are compared as well: about there few nodes do not resolve a kernel that is nearly as singular as `1/d`, which places between the nodes do not show (survey).
 const BESIDE_ENDS: [f64; 4] = [3e-14, 3e-13, 3e-12, 3e-11];
 
 /// A number of nodes with what can be shared among zones.
