@@ -30,6 +30,8 @@ pub struct Groups {
     factor: Cholesky,
     /// The operator on the groups that are not thin.
     deviations: Vec<Option<Deviations>>,
+    /// With them, for one function.
+    multiplications: usize,
 }
 
 /// `1 + theta K w` on a group, for functions whose weighted mean is zero.
@@ -138,14 +140,15 @@ impl Groups {
                 .filter(|(_, interval)| !is_thin(**interval))
                 .map(|((place, pair), _)| (place, pair[0]..pair[1]))
                 .collect();
-        let multiplications = thick.iter().map(|(_, part)| part.len().pow(3)).sum();
-        let share = thick.len().div_ceil(parts_of(multiplications)).max(1);
+        let powers = |power: u32| thick.iter().map(|(_, part)| part.len().pow(power)).sum();
+        let multiplications = powers(2);
+        let share = thick.len().div_ceil(parts_of(powers(3))).max(1);
         each(thick.chunks_mut(share).collect(), |share| {
             for (place, part) in share {
                 **place = Deviations::new(&near, theta, (weight, &weights), part.clone());
             }
         });
-        Ok(Self { starts: firsts, masses, weights, factor, deviations })
+        Ok(Self { starts: firsts, masses, weights, factor, deviations, multiplications })
     }
 
     /// Number of groups.
@@ -170,19 +173,27 @@ impl Groups {
         let mut solved = sums.clone();
         self.factor.solve(&mut solved);
         let mut result = values.to_vec();
-        for (((k, part), deviations), root) in parts().enumerate().zip(&self.deviations).zip(&roots)
-        {
-            let values = &mut result[part.clone()];
-            let mean = match deviations {
-                Some(deviations) => {
-                    deviations.solve(&self.weights[part], values);
-                    0.0
-                }
-                None => sums[k],
-            };
-            let shift = if *root > 0.0 { (solved[k] - mean) / root } else { 0.0 };
-            values.iter_mut().for_each(|value| *value += shift);
-        }
+        let mut rest = &mut result[..];
+        let mut groups: Vec<(usize, Range<usize>, &mut [f64])> = (parts().enumerate())
+            .map(|(k, part)| {
+                let own = rest.split_off_mut(..part.len()).unwrap_or_default();
+                (k, part, own)
+            })
+            .collect();
+        let share = groups.len().div_ceil(parts_of(self.multiplications)).max(1);
+        each(groups.chunks_mut(share).collect(), |share| {
+            for (k, part, values) in share {
+                let mean = match &self.deviations[*k] {
+                    Some(deviations) => {
+                        deviations.solve(&self.weights[part.clone()], values);
+                        0.0
+                    }
+                    None => sums[*k],
+                };
+                let shift = if roots[*k] > 0.0 { (solved[*k] - mean) / roots[*k] } else { 0.0 };
+                values.iter_mut().for_each(|value| *value += shift);
+            }
+        });
         result
     }
 }

@@ -66,6 +66,17 @@ impl PanelKernel {
         }
     }
 
+    /// `K'(d)`, and zero at the place itself.
+    pub(super) fn slope(self, d: f64) -> f64 {
+        let d = self.shortest(d);
+        match self {
+            _ if d == 0.0 => 0.0,
+            Self::Logarithm => -1.0 / d,
+            Self::Sine => -FRAC_PI_2 / (FRAC_PI_2 * d).tan(),
+            Self::Power { exponent } => -exponent * d.abs().powf(-exponent) / d,
+        }
+    }
+
     /// Replaces distances, none of them zero, by the kernel.
     pub(super) fn values(self, distances: &mut [f64]) {
         match self {

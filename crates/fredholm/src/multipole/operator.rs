@@ -8,7 +8,7 @@ use super::near::NearEntries;
 use super::panels::Panels;
 use super::sums::{Lanes, PlainSum};
 use super::threads::{each, parts_of};
-use super::tree::{Locals, Tree, interpolate};
+use super::tree::{AtPoints, Tree, interpolate};
 use crate::Error;
 use crate::linear::vectorised;
 
@@ -153,19 +153,7 @@ impl PanelOperator {
         let values = all.map(|values| self.without_mean(values));
         let charges = values.each_ref().map(|values| self.panels.charges(values));
         let mut results = [(); N].map(|()| vec![0.0; self.panels.count()]);
-        let mut locals = [(); N].map(|()| Locals::new());
-        let share = N.div_ceil(parts_of(N * self.near.len() / 2));
-        let parts = charges.chunks(share).zip(locals.chunks_mut(share));
-        each(parts.collect(), |(charges, locals)| {
-            vectorised(
-                #[inline(always)]
-                || {
-                    for (charges, local) in charges.iter().zip(locals) {
-                        *local = self.tree.locals(charges, false);
-                    }
-                },
-            );
-        });
+        let locals = self.tree.locals(charges.each_ref().map(Vec::as_slice), false);
         let mut rest = results.each_mut().map(|result| &mut result[..]);
         let parts = shares(&self.near_starts, N).into_iter().map(|leaves| {
             let length = self.tree.nodes_of(leaves.start, leaves.end - 1).len();
@@ -187,7 +175,7 @@ impl PanelOperator {
         &self,
         leaves: Range<usize>,
         values: &[Vec<f64>; N],
-        locals: &[Locals; N],
+        locals: &[AtPoints<N>],
         results: &mut [&mut [f64]; N],
     ) {
         let first = self.tree.nodes_of(leaves.start, leaves.start).start;
@@ -198,8 +186,7 @@ impl PanelOperator {
             for (node, row) in self.tree.nodes_of(leaf, leaf).zip(rows) {
                 for k in 0..N {
                     let mut sum = Lanes::default();
-                    let [local, own] = self.tree.at_node(&locals[k], leaf, node);
-                    sum.add(local, own);
+                    sum.add(&locals[leaf][k], self.tree.at_node(node));
                     let mut row = row;
                     for part in &near {
                         let (own, rest) = row.split_at(part.len());
@@ -271,7 +258,7 @@ pub struct PanelField {
 /// What gives the potential of a function.
 #[derive(Debug, Clone)]
 struct Sources {
-    locals: Locals,
+    locals: Vec<AtPoints<1>>,
     charges: Vec<f64>,
     /// Legendre coefficients, panel by panel.
     coefficients: Vec<f64>,
@@ -280,10 +267,7 @@ struct Sources {
 impl Sources {
     fn new(panels: &Panels, tree: &Tree, values: &[f64]) -> Self {
         let charges = panels.charges(values);
-        let locals = vectorised(
-            #[inline(always)]
-            || tree.locals(&charges, true),
-        );
+        let locals = tree.locals([&charges], true);
         let order = panels.order();
         let mut coefficients = vec![0.0; values.len()];
         for (c, v) in coefficients.chunks_exact_mut(order).zip(values.chunks_exact(order)) {
@@ -312,8 +296,7 @@ impl PanelField {
             return self.direct(x, 0..self.panels.count());
         }
         let leaf = self.tree.leaf(x);
-        let points = super::tree::POINTS;
-        let local = &self.sources().locals[leaf * points..(leaf + 1) * points];
+        let [local] = &self.sources().locals[leaf];
         let near: f64 = self.tree.near(leaf).into_iter().map(|part| self.direct(x, part)).sum();
         interpolate(local, self.tree.inside(leaf, x)) + near
     }
@@ -328,6 +311,31 @@ impl PanelField {
             places.iter().zip(values).for_each(|(x, value)| *value = self.at(*x));
         });
         values
+    }
+
+    /// The slope of the potential at places in `[-1, 1]` where the function vanishes, each with the sum of the sizes of what is added up in it. The nodes alone integrate it: near such places panels have to get
+    /// shorter.
+    #[must_use]
+    pub fn slopes(&self, places: &[f64]) -> Vec<[f64; 2]> {
+        if places.is_empty() {
+            return Vec::new();
+        }
+        let charges = &self.sources().charges;
+        let levels = self.tree.gathered([charges]);
+        let slope_at = |x: &f64| {
+            let mut sums = [0.0; 2];
+            let mut add = |place: f64, charge: f64| {
+                let part = charge * self.kernel.slope(x - place);
+                sums = [sums[0] + part, sums[1] + part.abs()];
+            };
+            let leaf = self.tree.leaf(*x);
+            self.tree.far_of(leaf, &levels, &mut add);
+            for node in self.tree.near(leaf).into_iter().flatten() {
+                add(self.panels.nodes()[node], charges[node]);
+            }
+            sums
+        };
+        places.iter().map(slope_at).collect()
     }
 
     /// The potential of some nodes.

@@ -9,37 +9,37 @@ use super::kernel::PanelKernel;
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
 /// The offsets of boxes that act on each other: those of the neighbours of the parent that are no neighbours.
-const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
+pub(super) const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
 /// Most halvings.
 const DEEPEST: u32 = 18;
-const SHALLOWEST: u32 = 2;
+pub(super) const SHALLOWEST: u32 = 2;
 
 /// A matrix between points by its columns, each filled up with zeros to whole vectors.
-type Square = Vec<[f64; WIDE]>;
-const WIDE: usize = POINTS.next_multiple_of(8);
+pub(super) type Square = [[f64; WIDE]; POINTS];
+pub(super) const WIDE: usize = POINTS.next_multiple_of(8);
 
 /// A tree of boxes from -1 to 1, or beyond: its leaves have the length that is asked for, and their number is a power of 2.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
-    depth: u32,
+    pub(super) depth: u32,
     /// Number of leaves on `[-1, 1]`; of a circle all.
-    covering: usize,
+    pub(super) covering: usize,
     /// First node of each leaf, and the number of nodes.
     starts: Vec<usize>,
     /// Values of the cardinal polynomials of its leaf at each node.
-    cardinal: Vec<f64>,
+    cardinal: Vec<[f64; POINTS]>,
     /// Whether the first box is a neighbour of the last.
-    is_closed: bool,
+    pub(super) is_closed: bool,
     /// `K(h (t_i - (2 offset + t_k)))` for the offsets, level by level, `h` half of a box.
-    across: Vec<[Square; 4]>,
+    pub(super) across: Vec<[Square; 4]>,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
-    halves: [Square; 2],
+    pub(super) halves: [Square; 2],
     /// The same with rows for columns.
-    gathers: [Square; 2],
+    pub(super) gathers: [Square; 2],
 }
 
-/// Values at the points of all leaves.
-pub(super) type Locals = Vec<f64>;
+/// A value of each of some functions at each point of a box.
+pub(super) type AtPoints<const N: usize> = [[f64; POINTS]; N];
 
 impl Tree {
     /// For nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
@@ -90,11 +90,10 @@ impl Tree {
             halves,
             gathers,
         };
-        let mut values = vec![0.0; POINTS * nodes.len()];
+        let mut values = vec![[0.0; POINTS]; nodes.len()];
         for leaf in 0..leaves {
             for j in tree.nodes_of(leaf, leaf) {
-                let t = tree.inside(leaf, nodes[j]);
-                cardinal(t, &mut values[j * POINTS..(j + 1) * POINTS]);
+                cardinal(tree.inside(leaf, nodes[j]), &mut values[j]);
             }
         }
         tree.cardinal = values;
@@ -132,124 +131,16 @@ impl Tree {
         (x + 1.0) * self.covering as f64 - (2 * leaf + 1) as f64
     }
 
-    /// Values at the points of a leaf and what a node takes of each: the far potential there is the sum of their products.
+    /// What a node takes of the values at the points of its leaf, and gives to the charges there.
     #[inline(always)]
-    pub(super) fn at_node<'t>(
-        &'t self,
-        locals: &'t Locals,
-        leaf: usize,
-        node: usize,
-    ) -> [&'t [f64]; 2] {
-        let local = &locals[leaf * POINTS..(leaf + 1) * POINTS];
-        [local, &self.cardinal[node * POINTS..(node + 1) * POINTS]]
+    pub(super) fn at_node(&self, node: usize) -> &[f64; POINTS] {
+        &self.cardinal[node]
     }
-
-    /// The potential of charges at all nodes but those of neighbouring leaves, at the points of the leaves; `everywhere`, or where there are nodes.
-    #[inline(always)]
-    pub(super) fn locals(&self, charges: &[f64], everywhere: bool) -> Locals {
-        let levels = self.gathered(charges);
-        let mut above: Locals = vec![0.0; POINTS * 2];
-        for level in SHALLOWEST..=self.depth {
-            let boxes = 1usize << level;
-            let span = self.leaves() / boxes;
-            let moments = &levels[(level - SHALLOWEST) as usize];
-            let mut locals = vec![0.0; POINTS * boxes];
-            for (b, local) in locals.chunks_exact_mut(POINTS).enumerate() {
-                let is_beyond = b * span >= self.covering;
-                if is_beyond
-                    || !everywhere && self.nodes_of(b * span, (b + 1) * span - 1).is_empty()
-                {
-                    continue;
-                }
-                if level > SHALLOWEST {
-                    let parent = &above[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
-                    add_product(&self.halves[b % 2], parent, local);
-                }
-                self.gather_far(moments, b, level, local);
-            }
-            above = locals;
-        }
-        above
-    }
-
-    /// What the boxes in reach of this one give: children of neighbours of the parent that are no neighbours themselves.
-    #[inline(always)]
-    fn gather_far(&self, moments: &[f64], b: usize, level: u32, local: &mut [f64]) {
-        let boxes = 1usize << level;
-        let across = &self.across[(level - SHALLOWEST) as usize];
-        let mut seen = None;
-        for (offset, matrix) in OFFSETS.iter().zip(across) {
-            let other = b as isize + offset;
-            let other = if self.is_closed { other.rem_euclid(boxes as isize) } else { other };
-            let Some(other) = usize::try_from(other).ok().filter(|other| *other < boxes) else {
-                continue;
-            };
-            // Of a circle of four boxes the opposite one is met twice, and three boxes on is the neighbour.
-            let is_reached = self.distance(b, other, boxes) >= 2
-                && self.distance(b / 2, other / 2, boxes / 2) <= 1
-                && seen != Some(other);
-            let source = &moments[other * POINTS..(other + 1) * POINTS];
-            if !is_reached || source.iter().all(|m| *m == 0.0) {
-                continue;
-            }
-            seen = Some(other);
-            add_product(matrix, source, local);
-        }
-    }
-
-    /// Number of boxes from one to another, by the shorter way.
-    fn distance(&self, one: usize, other: usize, boxes: usize) -> usize {
-        let steps = one.abs_diff(other);
-        if self.is_closed { steps.min(boxes - steps) } else { steps }
-    }
-
-    /// The charges at the points of the boxes, from the coarsest level to the leaves.
-    #[inline(always)]
-    fn gathered(&self, charges: &[f64]) -> Vec<Vec<f64>> {
-        let mut finest = vec![0.0; POINTS * self.leaves()];
-        for (leaf, moments) in finest.chunks_exact_mut(POINTS).enumerate() {
-            for j in self.nodes_of(leaf, leaf) {
-                add(moments, charges[j], &self.cardinal[j * POINTS..(j + 1) * POINTS]);
-            }
-        }
-        let mut levels = vec![finest];
-        for level in (SHALLOWEST..self.depth).rev() {
-            let children = &levels[levels.len() - 1];
-            let mut parents = vec![0.0; POINTS << level];
-            for (b, child) in children.chunks_exact(POINTS).enumerate() {
-                if child.iter().all(|m| *m == 0.0) {
-                    continue;
-                }
-                let parent = &mut parents[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
-                add_product(&self.gathers[b % 2], child, parent);
-            }
-            levels.push(parents);
-        }
-        levels.reverse();
-        levels
-    }
-}
-
-#[inline(always)]
-fn add(target: &mut [f64], factor: f64, vector: &[f64]) {
-    target.iter_mut().zip(vector).for_each(|(t, v)| *t += factor * v);
-}
-
-/// Adds a matrix times values: all rows advance together.
-#[inline(always)]
-fn add_product(matrix: &Square, values: &[f64], target: &mut [f64]) {
-    let mut sums = [0.0; WIDE];
-    for (column, value) in matrix.iter().zip(values) {
-        for (sum, entry) in sums.iter_mut().zip(column) {
-            *sum += value * entry;
-        }
-    }
-    target.iter_mut().zip(&sums).for_each(|(t, sum)| *t += sum);
 }
 
 fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
     let column = |k: usize| std::array::from_fn(|i| if i < POINTS { entry(i, k) } else { 0.0 });
-    (0..POINTS).map(column).collect()
+    std::array::from_fn(column)
 }
 
 /// The Chebyshev points of the first kind, and the weights of the barycentric formula.
@@ -267,6 +158,11 @@ static CHEBYSHEV: LazyLock<Chebyshev> = LazyLock::new(|| {
     };
     Chebyshev { points, weights: std::array::from_fn(weight) }
 });
+
+/// The points of a box, from -1 to 1.
+pub(super) fn points() -> &'static [f64; POINTS] {
+    &CHEBYSHEV.points
+}
 
 /// The values of the cardinal polynomials at a place, by the barycentric formula.
 fn cardinal(t: f64, values: &mut [f64]) {

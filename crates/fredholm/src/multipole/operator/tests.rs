@@ -80,9 +80,9 @@ fn what_is_shared_among_processors_has_the_bits_of_one() {
     let [one, other] = [own(3.0), own(40.0)];
     let together = operator.potentials(&[&one, &other]);
     for (values, shared) in [one, other].into_iter().zip(together) {
-        let locals = operator.tree.locals(&operator.panels().charges(&values), false);
+        let locals = operator.tree.locals([&operator.panels().charges(&values)], false);
         let mut alone = vec![0.0; values.len()];
-        operator.add_up(0..operator.tree.leaves(), &[values], &[locals], &mut [&mut alone]);
+        operator.add_up(0..operator.tree.leaves(), &[values], &locals, &mut [&mut alone]);
         assert_eq!(shared, alone);
     }
     let field = operator.field(&own(7.0));
@@ -186,6 +186,47 @@ fn on_a_circle_waves_are_divided_by_their_number() {
         let field = operator.field(&values);
         for x in [-1.7, -1.0, -0.99, -0.3, 0.0, 0.77, 1.0, 2.4] {
             assert!((field.at(x) - wave(x) / m).abs() < 1e-13, "{m} {x}: {}", field.at(x));
+        }
+    }
+}
+
+#[test]
+fn slopes_at_ends_where_a_function_vanishes_are_exact() {
+    // phi = (s - a)(b - s): int phi/(s - a) ds = (b - a)^2/2
+    let [a, b] = [-0.9, 0.75];
+    let at = |i: i32| a + (b - a) * f64::from(i) / 900.0;
+    let panels = Panels::new((0..900).map(|i| [at(i), at(i + 1)]).collect(), 6).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+    let values: Vec<f64> = operator.panels().nodes().iter().map(|s| (s - a) * (b - s)).collect();
+    let field = operator.field(&values);
+    let exact = 0.5 * (b - a) * (b - a);
+    for ([found, size], exact) in field.slopes(&[at(0), at(900)]).into_iter().zip([exact, -exact]) {
+        assert!((found - exact).abs() < 1e-13 && (size - exact.abs()) < 1e-3, "{found} {exact}");
+    }
+    assert!(field.slopes(&[]).is_empty());
+    // The sum over all nodes, in the gaps of uneven panels and at their ends.
+    for kernel in [PanelKernel::Logarithm, PanelKernel::Sine, PanelKernel::Power { exponent: 0.4 }]
+    {
+        let operator = PanelOperator::new(kernel, Panels::new(uneven(8), 6).unwrap()).unwrap();
+        let (panels, turn) = (operator.panels(), 0.5 * std::f64::consts::PI);
+        let values: Vec<f64> = panels.nodes().iter().map(|x| (5.0 * x).cos()).collect();
+        let places: Vec<f64> =
+            panels.bounds().windows(2).map(|pair| 0.7 * pair[0][1] + 0.3 * pair[1][0]).collect();
+        for (x, [found, size]) in places.iter().zip(operator.field(&values).slopes(&places)) {
+            let parts =
+                panels.nodes().iter().zip(panels.weights()).zip(&values).map(|((s, w), v)| {
+                    let d = x - s;
+                    w * v
+                        * match kernel {
+                            PanelKernel::Logarithm => -1.0 / d,
+                            PanelKernel::Sine => -turn * (turn * d).cos() / (turn * d).sin(),
+                            PanelKernel::Power { exponent } => {
+                                -exponent * d.signum() * d.abs().powf(-1.0 - exponent)
+                            }
+                        }
+                });
+            let exact: f64 = parts.sum();
+            assert!((found - exact).abs() < 1e-12 * size, "{kernel:?} {x}: {found} {exact} {size}");
         }
     }
 }
