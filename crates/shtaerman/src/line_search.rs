@@ -10,38 +10,94 @@ pub(crate) const CUTS: usize = 12;
 /// A place and a value there.
 pub(crate) type Point = (f64, f64);
 
-/// Where a function vanishes between two places at which its signs differ: false position in the Illinois form, every third step by halves. Values up to `none` are zero.
+/// Where a function vanishes between two places at which its signs differ. Values up to `none` are zero.
 pub(crate) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: f64) -> f64 {
-    let ((mut left, mut at_left), (mut right, mut at_right)) =
-        if one.0 <= other.0 { (one, other) } else { (other, one) };
-    for (place, value) in [(left, at_left), (right, at_right)] {
-        if value == 0.0 {
-            return place;
+    let mut bracket = Bracket::new(one, other, none);
+    while let Some(place) = bracket.wanted() {
+        bracket.take((place, f(place)));
+    }
+    bracket.best()
+}
+
+/// The same between many pairs of places, which advance together.
+pub(crate) fn crossings(
+    f: &impl Fn(&[f64]) -> Vec<f64>,
+    pairs: impl Iterator<Item = [Point; 2]>,
+    none: f64,
+) -> Vec<f64> {
+    let mut brackets: Vec<Bracket> =
+        pairs.map(|[one, other]| Bracket::new(one, other, none)).collect();
+    loop {
+        let wanted: Vec<f64> = brackets.iter().filter_map(Bracket::wanted).collect();
+        if wanted.is_empty() {
+            return brackets.iter().map(Bracket::best).collect();
+        }
+        let open = brackets.iter_mut().filter(|bracket| bracket.wanted().is_some());
+        for ((bracket, place), value) in open.zip(&wanted).zip(f(&wanted)) {
+            bracket.take((*place, value));
         }
     }
-    let positive_left = at_left > 0.0;
-    let (mut last, mut was_left) = (left, None);
-    for step in 1..=STEPS {
-        let secant = left + (right - left) * at_left / (at_left - at_right);
-        let middle = 0.5 * (left + right);
-        let inside = secant > left && secant < right && !step.is_multiple_of(3);
-        let place = if inside { secant } else { middle };
-        let value = f(place);
-        if value.abs() <= none || middle <= left || middle >= right || place == last {
-            return place;
-        }
-        let is_left = (value > 0.0) == positive_left;
-        let again = was_left == Some(is_left);
-        if is_left {
-            (left, at_left) = (place, value);
-            at_right *= if again { 0.5 } else { 1.0 };
+}
+
+/// Two places between which a function vanishes, and the one before: T. R. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997) 145. The parabola through all three,
+/// `x` as a function of `f`, where it is monotonous between them, else halves.
+#[derive(Debug, Clone, Copy)]
+struct Bracket {
+    /// The last place, the one on the other side of the zero, and that before.
+    points: [Point; 3],
+    /// How far from the first to the second the next place lies; none at the end.
+    share: Option<f64>,
+    none: f64,
+    steps: usize,
+}
+
+impl Bracket {
+    fn new(one: Point, other: Point, none: f64) -> Self {
+        // The same whichever of them comes first.
+        let (left, right) = if one.0 <= other.0 { (one, other) } else { (other, one) };
+        let share = left.1 / (left.1 - right.1);
+        Self { points: [left, right, right], share: None, none, steps: 0 }.going_on(share)
+    }
+
+    fn wanted(&self) -> Option<f64> {
+        let [(one, _), (other, _), _] = self.points;
+        self.share.map(|share| one + share * (other - one))
+    }
+
+    /// Where the value is smallest.
+    fn best(&self) -> f64 {
+        let [one, other, _] = self.points;
+        if one.1.abs() <= other.1.abs() { one.0 } else { other.0 }
+    }
+
+    fn take(&mut self, (place, value): Point) {
+        let [one, other, _] = self.points;
+        let is_same_side = (value > 0.0) == (one.1 > 0.0);
+        self.points =
+            if is_same_side { [(place, value), other, one] } else { [(place, value), one, other] };
+        self.steps += 1;
+        let [(x1, f1), (x2, f2), (x3, f3)] = self.points;
+        let (x, f) = ((x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2));
+        let is_monotonous = f * f < x && (1.0 - f) * (1.0 - f) < 1.0 - x;
+        let share = if is_monotonous {
+            f1 / (f2 - f1) * f3 / (f2 - f3)
+                + (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
         } else {
-            (right, at_right) = (place, value);
-            at_left *= if again { 0.5 } else { 1.0 };
-        }
-        (last, was_left) = (place, Some(is_left));
+            0.5
+        };
+        *self = self.going_on(share);
     }
-    0.5 * (left + right)
+
+    /// At this share of the way, but apart from both ends; none where they are neighbours, or a value is zero.
+    fn going_on(self, share: f64) -> Self {
+        let [(one, at_one), (other, at_other), _] = self.points;
+        let apart = f64::EPSILON * self.best().abs().max(f64::MIN_POSITIVE);
+        let least = apart / (one - other).abs();
+        let is_zero = at_one.abs().min(at_other.abs()) <= self.none;
+        let is_over = is_zero || least >= 0.5 || self.steps == STEPS;
+        let share = if share.is_nan() { 0.5 } else { share };
+        Self { share: (!is_over).then(|| share.clamp(least, 1.0 - least)), ..self }
+    }
 }
 
 /// The largest value between two places, by golden sections: to where values do not tell places apart, the root of rounding.
@@ -67,6 +123,30 @@ pub(crate) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Poi
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn many_roots_are_those_that_each_is() {
+        let f = |x: f64| (1e3 * x).sin() + 0.1 * x.powi(3);
+        let point = |i: i32| (f64::from(i) * 1e-3, f(f64::from(i) * 1e-3));
+        let pairs = || (0..2000).map(|i| [point(i), point(i + 1)]);
+        let crossed = || pairs().filter(|[one, other]| (one.1 > 0.0) != (other.1 > 0.0));
+        let places = std::cell::Cell::new(0);
+        let all = |at: &[f64]| {
+            places.set(places.get() + at.len());
+            at.iter().map(|x| f(*x)).collect()
+        };
+        let found = crossings(&all, crossed(), 1e-15);
+        assert!(found.len() > 600, "{}", found.len());
+        for (root, [one, other]) in found.iter().zip(crossed()) {
+            assert_eq!(*root, crossing(&f, one, other, 1e-15));
+            assert!(one.0 <= *root && *root <= other.0 && f(*root).abs() < 1e-12, "{root}");
+        }
+        // Halving by itself takes over forty.
+        assert!(places.get() < 10 * found.len(), "{} for {}", places.get(), found.len());
+        // No number has no sign: it ends all the same.
+        let none = crossing(&|_| f64::NAN, (0.0, 1.0), (1.0, -1.0), 0.0);
+        assert!((0.0..=1.0).contains(&none));
+    }
 
     #[test]
     fn roots_and_tops_are_found_to_rounding() {

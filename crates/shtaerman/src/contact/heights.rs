@@ -204,15 +204,9 @@ impl OfHeights {
 
     /// The larger one of an error and this.
     pub(super) fn or(&self, known: &Accuracy) -> Accuracy {
-        let own = &self.accuracy;
-        Accuracy {
-            kind: known.kind,
-            pressure: known.pressure.max(own.pressure),
-            settlement: known.settlement.max(own.settlement),
-            tilt: known.tilt.max(own.tilt),
-            force: known.force.max(own.force),
-            moment: known.moment.max(own.moment),
-        }
+        let Accuracy { pressure, settlement, tilt, force, moment, .. } = self.accuracy;
+        let opened = known.open([settlement, tilt, force, moment], f64::max);
+        Accuracy { pressure: known.pressure.max(pressure), ..opened }
     }
 }
 

@@ -81,12 +81,8 @@ impl Cells {
     pub(super) fn means(&self, heights: impl Fn(&[f64]) -> Vec<f64>) -> Vec<f64> {
         let places: Vec<f64> = self.cells.iter().flat_map(Cell::places).collect();
         let heights = heights(&places);
-        heights
-            .as_chunks()
-            .0
-            .iter()
-            .map(|[left, at, right]| (left + 4.0 * at + right) / 6.0)
-            .collect()
+        let cells = heights.as_chunks().0.iter();
+        cells.map(|[left, at, right]| (left + 4.0 * at + right) / 6.0).collect()
     }
 
     /// Pieces of a base, each cut at places in any order, of which those too close to one another or to an end are left out. At first all cells carry.

@@ -175,20 +175,6 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         if difference == 0.0 { 0.0 } else { self.reduced_slope(xi, eta) / difference }
     }
 
-    /// `int dK/dxi p dm` over masses `p dm` at places, and the same of its size. Here the kernel of a ground is known, and many masses are added up side by side.
-    fn slope_of(&self, xi: f64, places: &[f64], masses: &[f64]) -> [f64; 2] {
-        const LANES: usize = 8;
-        let mut sums = [[0.0; LANES]; 2];
-        for (places, masses) in places.chunks(LANES).zip(masses.chunks(LANES)) {
-            for (lane, (eta, mass)) in places.iter().zip(masses).enumerate() {
-                let part = mass * self.slope(xi, *eta);
-                sums[0][lane] += part;
-                sums[1][lane] += part.abs();
-            }
-        }
-        sums.map(|lanes| lanes.iter().sum())
-    }
-
     /// What values of the kernel may be off by, beside their rounding.
     fn kernel_error(&self) -> f64 {
         0.0

@@ -29,6 +29,8 @@ const APART: f64 = 1e-5;
 pub(super) struct RoughContact<F> {
     surface: Surface,
     solved: Solved<F>,
+    /// On the base, from left to right.
+    zones: Vec<[f64; 2]>,
     /// Settlement, tilt, force and moment of the problem itself.
     state: State,
     stiffness: Stiffness,
@@ -69,6 +71,7 @@ impl<F: Field> RoughContact<F> {
             None => (solved.state, accuracy),
         };
         Ok(Self {
+            zones: base.surface.zones(solved.nodes.zones.iter().map(|zone| zone.ends)),
             surface: base.surface.clone(),
             solved,
             state,
@@ -135,7 +138,7 @@ impl<F: Field> Solution for RoughContact<F> {
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
-        self.surface.zones(self.solved.nodes.zones.iter().map(|zone| zone.ends))
+        self.zones.clone()
     }
 
     fn touches(&self, xi: f64) -> bool {
@@ -177,7 +180,8 @@ impl<F: Field> Solution for RoughContact<F> {
         let ends = nodes.zones.iter().map(|zone| zone.ends).chain(nodes.panels.iter().copied());
         let ends = ends.flatten().chain(self.beside.iter().copied());
         let ends = ends.flat_map(|place| self.surface.images(place)).chain([-1.0, 1.0]);
-        let ends = ends.map(|xi| (xi + 0.0, self.pressure(xi)));
+        let ends = crate::order::ascending(ends.map(|xi| xi + 0.0)).into_iter();
+        let ends = ends.map(|xi| (xi, self.pressure(xi)));
         let values = nodes.places.chunks(nodes.a_panel()).zip(given.chunks(nodes.a_panel()));
         let known =
             nodes.panels.iter().zip(values).flat_map(|([left, right], (places, values))| {

@@ -91,21 +91,18 @@ impl<F: Field> Known<'_, F> {
     /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
     fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
         let zones = &solved.nodes.zones;
-        if zones.iter().all(|zone| !zone.has_free_end()) {
-            return Vec::new();
-        }
         // Where the layer is thin the slope changes within a length 1/theta0.
         let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
-        let edge = |(side, at): (usize, f64)| {
+        let edge = |((side, at), [body, added]): ((usize, f64), [f64; 2])| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
-            let sums = solved.ground.slope_of(at, &solved.nodes.places, &solved.masses);
-            let [body, added] = sums.map(|sum| solved.strength * sum);
             let size = tilt.abs() + profile.abs() + added;
             let slope = -tilt - profile - body;
             let slope = if side == 0 { -slope } else { slope };
             Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }
         };
-        zones.iter().flat_map(Zone::free_ends).map(edge).collect()
+        let ends: Vec<(usize, f64)> = zones.iter().flat_map(Zone::free_ends).collect();
+        let slopes = solved.slopes(&ends.iter().map(|(_, at)| *at).collect::<Vec<_>>());
+        ends.into_iter().zip(slopes).map(edge).collect()
     }
 }
 

@@ -222,6 +222,11 @@ pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
         places.iter().map(|xi| self.at(*xi)).collect()
     }
 
+    /// Its slope at places where the pressure vanishes, each with the size of what is added up in it, where that is sooner known than by a sum over the nodes.
+    fn slopes(&self, _places: &[f64]) -> Option<Vec<[f64; 2]>> {
+        None
+    }
+
     /// The function of these values at the nodes at places of the zones, where that is sooner known than the displacement.
     fn interpolated(&self, _values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
         vec![None; places.len()]

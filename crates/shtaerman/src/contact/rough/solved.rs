@@ -149,11 +149,8 @@ impl<F: Field> Solved<F> {
     /// The same at many places with their heights.
     pub(super) fn layers_at(&self, places: &[Point]) -> Vec<f64> {
         let displaced = self.field.at_all(&places.iter().map(|(xi, _)| *xi).collect::<Vec<_>>());
-        places
-            .iter()
-            .zip(displaced)
-            .map(|(place, displaced)| self.under(*place, displaced))
-            .collect()
+        let places = places.iter().zip(displaced);
+        places.map(|(place, displaced)| self.under(*place, displaced)).collect()
     }
 
     fn under(&self, (xi, height): Point, displaced: f64) -> f64 {
@@ -168,6 +165,17 @@ impl<F: Field> Solved<F> {
     /// `theta0 k int K(xi, eta) p0 dm`.
     pub(super) fn displacement(&self, xi: f64) -> f64 {
         self.field.at(xi) - self.nodes.frame.gauge_of(self.state.force)
+    }
+
+    /// `theta0 k int dK/dxi p0 dm` at places, and the same of the size of what is added up.
+    pub(super) fn slopes(&self, places: &[f64]) -> Vec<[f64; 2]> {
+        let slope_at = |xi: &f64| {
+            let masses = self.nodes.places.iter().zip(&self.masses);
+            let parts =
+                masses.map(|(eta, mass)| self.strength * mass * self.ground.slope(*xi, *eta));
+            parts.fold([0.0; 2], |[sum, size], part| [sum + part, size + part.abs()])
+        };
+        self.field.slopes(places).unwrap_or_else(|| places.iter().map(slope_at).collect())
     }
 
     /// The largest displacement of the layer, of either sign, at the free ends.

@@ -81,6 +81,13 @@ impl Field for OnPanels {
         self.field.values(&local).iter().map(|value| self.parameter * value).collect()
     }
 
+    fn slopes(&self, places: &[f64]) -> Option<Vec<[f64; 2]>> {
+        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
+        let factor = self.parameter / self.hull.half;
+        let slopes = self.field.slopes(&local).into_iter();
+        Some(slopes.map(|sums| sums.map(|sum| factor * sum)).collect())
+    }
+
     fn interpolated(&self, values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
         let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
         self.field.panels().interpolate_all(values, &local)

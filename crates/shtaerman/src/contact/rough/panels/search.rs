@@ -22,7 +22,7 @@ use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
-use crate::line_search::{Point, crossing, top};
+use crate::line_search::{Point, crossings, top};
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
 const ROUNDS: usize = 28;
@@ -180,7 +180,7 @@ impl<'b> ManyPanels<'b> {
     fn next_zones(&self, solved: &OnZones) -> Vec<Zone> {
         let base = self.base;
         let size = solved.deepest() + solved.state.settlement.abs() + solved.state.tilt.abs();
-        let given = |xi: f64| solved.layer_at(xi, base.height(xi));
+        let given = |at: &[f64]| solved.layers_at(&base.points(at.to_vec()));
         // At an end the polynomials are least exact, and beside it the same function goes on.
         let is_inside = |xi: &f64| solved.nodes.end_at(*xi).is_none();
         // Of zones and of the gaps between them the ends and the middles.
@@ -210,10 +210,11 @@ impl<'b> ManyPanels<'b> {
 }
 
 /// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
-fn positive(f: &impl Fn(f64) -> f64, points: &[Point], none: f64) -> Vec<[f64; 2]> {
+fn positive(f: &impl Fn(&[f64]) -> Vec<f64>, points: &[Point], none: f64) -> Vec<[f64; 2]> {
     let Some((first, last)) = points.first().zip(points.last()) else { return Vec::new() };
-    let crossed = points.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
-    let edges = crossed.map(|pair| crossing(f, pair[0], pair[1], none));
+    let pairs = points.windows(2).map(|pair| [pair[0], pair[1]]);
+    let pairs = pairs.filter(|[one, other]| (one.1 > 0.0) != (other.1 > 0.0));
+    let edges = crossings(f, pairs, none);
     // Edges in turn open and close a zone.
     let begins = (first.1 > 0.0).then_some(first.0);
     let ends = (last.1 > 0.0).then_some(last.0);
