@@ -215,7 +215,7 @@ impl Tree {
     #[inline(always)]
     fn ascend<const N: usize>(&self, halves: &[AtPoints<N>], boxes: &mut [AtPoints<N>]) {
         for (pair, whole) in halves.chunks_exact(2).zip(boxes) {
-            for (half, gather) in pair.iter().zip(&self.gathers) {
+            for (half, gather) in pair.iter().zip(self.gathers) {
                 if !is_nothing(half) {
                     add_product(gather, half, whole);
                 }

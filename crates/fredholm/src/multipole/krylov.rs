@@ -13,8 +13,9 @@ use super::threads::{each, parts_of};
 use crate::Error;
 use crate::linear::vector::add;
 
-/// Most steps between two restarts, products altogether, and conditions.
+/// Most steps between two restarts, and values at nodes that their directions have: for each of three functions a quarter of a gigabyte. Most products altogether, and conditions.
 const STEPS: usize = 80;
+const VALUES: usize = 32_000_000;
 const MOST_PRODUCTS: usize = 5 * STEPS;
 const MOST_CONDITIONS: usize = 2;
 /// Multiplications for each node between two products, about.

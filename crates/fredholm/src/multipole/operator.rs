@@ -53,6 +53,43 @@ impl PanelOperator {
         panels: Panels,
         other: Option<&Self>,
     ) -> Result<Self, Error> {
+        let (tree, near_starts) = Self::boxes(kernel, &panels)?;
+        let tree = tree.filled(kernel, panels.nodes());
+        let mut near = vec![0.0; near_starts[tree.leaves()]];
+        let entries = NearEntries::new(kernel, &panels);
+        let other = other.filter(|other| {
+            let is_same_tree = other.tree.leaves() == tree.leaves();
+            other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
+        });
+        let shares = shares(&near_starts, FILLING);
+        let mut rest = &mut near[..];
+        let parts = shares.into_iter().map(|leaves| {
+            let length = near_starts[leaves.end] - near_starts[leaves.start];
+            (leaves, rest.split_off_mut(..length).unwrap_or_default())
+        });
+        each(parts.collect(), |(leaves, mut part)| {
+            for leaf in leaves {
+                let length = near_starts[leaf + 1] - near_starts[leaf];
+                let block = part.split_off_mut(..length).unwrap_or_default();
+                match other.and_then(|other| other.block(leaf, &panels, &tree)) {
+                    Some(known) => block.copy_from_slice(known),
+                    None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
+                }
+            }
+        });
+        Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
+    }
+
+    /// Whether there can be one for these panels.
+    ///
+    /// # Errors
+    /// Those of [`PanelOperator::new`].
+    pub fn check(kernel: PanelKernel, panels: &Panels) -> Result<(), Error> {
+        Self::boxes(kernel, panels).map(drop)
+    }
+
+    /// The boxes, and where the matrices of the leaves begin.
+    fn boxes(kernel: PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
         kernel.check()?;
         let longest =
             panels.bounds.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
@@ -78,29 +115,7 @@ impl PanelOperator {
                 available: 8 * MOST_ENTRIES as u64,
             });
         }
-        let mut near = vec![0.0; entries];
-        let entries = NearEntries::new(kernel, &panels);
-        let other = other.filter(|other| {
-            let is_same_tree = other.tree.leaves() == tree.leaves();
-            other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
-        });
-        let shares = shares(&near_starts, FILLING);
-        let mut rest = &mut near[..];
-        let parts = shares.into_iter().map(|leaves| {
-            let length = near_starts[leaves.end] - near_starts[leaves.start];
-            (leaves, rest.split_off_mut(..length).unwrap_or_default())
-        });
-        each(parts.collect(), |(leaves, mut part)| {
-            for leaf in leaves {
-                let length = near_starts[leaf + 1] - near_starts[leaf];
-                let block = part.split_off_mut(..length).unwrap_or_default();
-                match other.and_then(|other| other.block(leaf, &panels, &tree)) {
-                    Some(known) => block.copy_from_slice(known),
-                    None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
-                }
-            }
-        });
-        Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
+        Ok((tree, near_starts))
     }
 
     /// The matrix of a leaf, if it is that of these panels, too.

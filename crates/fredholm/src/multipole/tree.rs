@@ -5,9 +5,12 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use super::kernel::PanelKernel;
+use super::threads::{each, parts_of};
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
+/// Multiplications for a value of a cardinal polynomial, about: a quotient is worth several.
+const CARDINAL: usize = 8;
 /// The offsets of boxes that act on each other: those of the neighbours of the parent that are no neighbours.
 pub(super) const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
 /// Most halvings.
@@ -33,16 +36,16 @@ pub(super) struct Tree {
     /// `K(h (t_i - (2 offset + t_k)))` for the offsets, level by level, `h` half of a box.
     pub(super) across: Vec<[Square; 4]>,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
-    pub(super) halves: [Square; 2],
+    pub(super) halves: &'static [Square; 2],
     /// The same with rows for columns.
-    pub(super) gathers: [Square; 2],
+    pub(super) gathers: &'static [Square; 2],
 }
 
 /// A value of each of some functions at each point of a box.
 pub(super) type AtPoints<const N: usize> = [[f64; POINTS]; N];
 
 impl Tree {
-    /// For nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
+    /// The boxes for nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
     pub(super) fn new(kernel: PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
         let is_closed = kernel.is_closed();
         let fewest = 1usize << SHALLOWEST;
@@ -62,42 +65,39 @@ impl Tree {
             }
             *start = next;
         }
+        let [halves, gathers] = &CHEBYSHEV.halves;
+        let (across, cardinal) = (Vec::new(), Vec::new());
+        Self { depth, covering, starts, cardinal, is_closed, across, halves, gathers }
+    }
+
+    /// With all that products take.
+    pub(super) fn filled(mut self, kernel: PanelKernel, nodes: &[f64]) -> Self {
         let points = &CHEBYSHEV.points;
-        let across = (SHALLOWEST..=depth).map(|level| {
-            let half = (leaves >> level) as f64 / covering as f64;
+        let across = (SHALLOWEST..=self.depth).map(|level| {
+            let half = (self.leaves() >> level) as f64 / self.covering as f64;
             OFFSETS.map(|offset| {
                 square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
             })
         });
-        let across = across.collect();
-        let halves = [-1.0, 1.0].map(|side| {
-            let rows = points.map(|t| {
-                let mut row = [0.0; POINTS];
-                cardinal(0.5 * (t + side), &mut row);
-                row
-            });
-            [square(|i, k| rows[i][k]), square(|i, k| rows[k][i])]
-        });
-        let [[left, to_left], [right, to_right]] = halves;
-        let (halves, gathers) = ([left, right], [to_left, to_right]);
-        let mut tree = Self {
-            depth,
-            covering,
-            starts,
-            cardinal: Vec::new(),
-            is_closed,
-            across,
-            halves,
-            gathers,
-        };
+        self.across = across.collect();
         let mut values = vec![[0.0; POINTS]; nodes.len()];
-        for leaf in 0..leaves {
-            for j in tree.nodes_of(leaf, leaf) {
-                cardinal(tree.inside(leaf, nodes[j]), &mut values[j]);
+        let mut rest = &mut values[..];
+        let leaves = (0..self.leaves()).map(|leaf| {
+            let own = self.nodes_of(leaf, leaf);
+            let values = rest.split_off_mut(..own.len()).unwrap_or_default();
+            (leaf, own, values)
+        });
+        let mut leaves: Vec<(usize, Range<usize>, &mut [[f64; POINTS]])> = leaves.collect();
+        let share = leaves.len().div_ceil(parts_of(CARDINAL * POINTS * nodes.len()));
+        each(leaves.chunks_mut(share).collect(), |leaves| {
+            for (leaf, own, values) in leaves {
+                for (x, values) in nodes[own.clone()].iter().zip(&mut **values) {
+                    cardinal(self.inside(*leaf, *x), values);
+                }
             }
-        }
-        tree.cardinal = values;
-        tree
+        });
+        self.cardinal = values;
+        self
     }
 
     pub(super) fn leaves(&self) -> usize {
@@ -143,10 +143,11 @@ fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
     std::array::from_fn(column)
 }
 
-/// The Chebyshev points of the first kind, and the weights of the barycentric formula.
+/// The Chebyshev points of the first kind, the weights of the barycentric formula, and from whole boxes to halves and back.
 struct Chebyshev {
     points: [f64; POINTS],
     weights: [f64; POINTS],
+    halves: [[Square; 2]; 2],
 }
 
 static CHEBYSHEV: LazyLock<Chebyshev> = LazyLock::new(|| {
@@ -156,7 +157,17 @@ static CHEBYSHEV: LazyLock<Chebyshev> = LazyLock::new(|| {
         let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * (1.0 - points[k] * points[k]).sqrt()
     };
-    Chebyshev { points, weights: std::array::from_fn(weight) }
+    let weights = std::array::from_fn(weight);
+    let halves = [-1.0, 1.0].map(|side| {
+        let rows = points.map(|t| {
+            let mut row = [0.0; POINTS];
+            cardinal_of((&points, &weights), 0.5 * (t + side), &mut row);
+            row
+        });
+        [square(|i, k| rows[i][k]), square(|i, k| rows[k][i])]
+    });
+    let [[left, to_left], [right, to_right]] = halves;
+    Chebyshev { points, weights, halves: [[left, right], [to_left, to_right]] }
 });
 
 /// The points of a box, from -1 to 1.
@@ -164,9 +175,17 @@ pub(super) fn points() -> &'static [f64; POINTS] {
     &CHEBYSHEV.points
 }
 
-/// The values of the cardinal polynomials at a place, by the barycentric formula.
-fn cardinal(t: f64, values: &mut [f64]) {
-    let Chebyshev { points, weights } = &*CHEBYSHEV;
+/// The values of the cardinal polynomials at a place.
+fn cardinal(t: f64, values: &mut [f64; POINTS]) {
+    cardinal_of((&CHEBYSHEV.points, &CHEBYSHEV.weights), t, values);
+}
+
+/// The same by the barycentric formula with these points and weights.
+fn cardinal_of(
+    (points, weights): (&[f64; POINTS], &[f64; POINTS]),
+    t: f64,
+    values: &mut [f64; POINTS],
+) {
     if let Some(k) = points.iter().position(|point| *point == t) {
         values.fill(0.0);
         values[k] = 1.0;
@@ -182,7 +201,7 @@ fn cardinal(t: f64, values: &mut [f64]) {
 
 /// The polynomial through values at the points.
 pub(super) fn interpolate(values: &[f64], t: f64) -> f64 {
-    let Chebyshev { points, weights } = &*CHEBYSHEV;
+    let Chebyshev { points, weights, .. } = &*CHEBYSHEV;
     let (mut above, mut below) = (0.0, 0.0);
     for (value, (point, weight)) in values.iter().zip(points.iter().zip(weights)) {
         if t == *point {

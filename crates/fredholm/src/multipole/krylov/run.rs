@@ -3,6 +3,7 @@
 use super::least::LeastSquares;
 use super::{
     Border, MOST_PRODUCTS, PanelEquation, PanelSolution, PanelTask, ROUNDING, STAGNANT, STEPS,
+    VALUES,
 };
 use crate::Error;
 use crate::linear::vector::add;
@@ -143,7 +144,8 @@ impl<'r> Run<'r> {
     /// Another direction, unless those there are leave little enough: then a step along their combination whose step leaves the least residual, before the approximate inverse.
     fn look(&mut self, mut krylov: Krylov) {
         let Krylov { basis, least, .. } = &krylov;
-        if least.residual().abs() > 0.5 * self.tolerance && basis.len() <= STEPS {
+        let steps = STEPS.min(VALUES / basis[0].len());
+        if least.residual().abs() > 0.5 * self.tolerance && basis.len() <= steps {
             let none = vec![0.0; self.border.conditions.len()];
             let last = &basis[basis.len() - 1];
             (krylov.direction, krylov.shift) =

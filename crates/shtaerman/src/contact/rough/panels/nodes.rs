@@ -22,8 +22,8 @@ use crate::contact::search::unknown;
 use crate::contact::zones::Zone;
 use crate::deadline::work;
 
-/// Most nodes. Half and twice change none of 32 answers (survey).
-const MOST_NODES: usize = 400_000;
+/// Most nodes: with their operator, the coarser ones and the directions of a solution they stay below a gigabyte. Half and twice change none of 32 answers (survey).
+const MOST_NODES: usize = 600_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones. At half or twice stated errors grow up to 6.4 times (survey).
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
@@ -140,18 +140,18 @@ impl<'b> PanelNodes<'b> {
         effort: Effort,
         known: Option<&PanelOperator>,
     ) -> Result<Self, Error> {
-        let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
-        let hull = Hull { centre: base.surface.origin, half };
-        let frame = Frame::new(base, hull, 0.0);
-        let operator = operator(base, (kernel, &frame), joints, zones, effort.fineness, known)?;
-        let on_base = |y: &f64| hull.centre + half * y;
+        let (kernel, frame) = framed(base)?;
+        let Hull { centre, half } = frame.hull;
+        let panels = cut(base, (kernel, &frame), joints, zones, effort.fineness)?;
+        let operator = PanelOperator::beside(kernel, panels, known)?;
+        let on_base = |y: &f64| centre + half * y;
         let bounds = operator.panels().bounds().iter();
         let panels = bounds.map(|panel| panel.each_ref().map(on_base)).collect();
         let locals = operator.panels().nodes().to_vec();
         let places: Vec<f64> = locals.iter().map(on_base).collect();
         let heights = base.heights(&places)?;
         let total = zones.iter().map(Zone::length).sum::<f64>() / half;
-        let parameter = base.strength() * base.ground.scale(&hull);
+        let parameter = base.strength() * base.ground.scale(&frame.hull);
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
         let Effort { residual, responses, .. } = effort;
@@ -334,25 +334,39 @@ struct Solution {
     noise: f64,
 }
 
-/// The operator on panels of these zones. Where they crowd beside long panels, whose neighbours all act directly, those are cut.
-fn operator(
+/// Whether there is an operator on panels of these zones.
+pub(super) fn fits(base: &Base, joints: &[f64], zones: &[Zone], fineness: Fineness) -> bool {
+    framed(base)
+        .is_ok_and(|(kernel, frame)| cut(base, (kernel, &frame), joints, zones, fineness).is_ok())
+}
+
+/// The kernel of the ground, and the frame of all panels.
+fn framed(base: &Base) -> Result<(PanelKernel, Frame), Error> {
+    let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
+    let hull = Hull { centre: base.surface.origin, half };
+    Ok((kernel, Frame::new(base, hull, 0.0)))
+}
+
+/// The panels of these zones, in local coordinates. Where they crowd beside long ones, whose neighbours all act directly, those are cut.
+fn cut(
     base: &Base,
     (kernel, frame): (PanelKernel, &Frame),
     joints: &[f64],
     zones: &[Zone],
     mut fineness: Fineness,
-    known: Option<&PanelOperator>,
-) -> Result<PanelOperator, Error> {
+) -> Result<Panels, Error> {
     loop {
         let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
+        let longest = bounds.iter().map(|[left, right]| right - left).fold(0.0, f64::max);
         let local = |xi: f64| frame.local(xi).clamp(-1.0, 1.0);
         let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
         if bounds.iter().any(|[left, right]| left >= right) {
             return Err(unknown());
         }
-        match PanelOperator::beside(kernel, Panels::new(bounds, fineness.order)?, known) {
-            Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= 0.5,
-            operator => return Ok(operator?),
+        let panels = Panels::new(bounds, fineness.order)?;
+        match PanelOperator::check(kernel, &panels) {
+            Err(fredholm::Error::TooLarge { .. }) => fineness.longest = 0.5 * longest,
+            checked => return Ok(checked.map(|()| panels)?),
         }
     }
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use fredholm::multipole::PanelOperator;
 
 use super::mesh::STRAIGHT;
-use super::nodes::{Effort, OnPanels, PanelNodes};
+use super::nodes::{Effort, OnPanels, PanelNodes, fits};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::check::{BETWEEN, Check};
@@ -35,8 +35,12 @@ const LADDER: [Effort; 5] = [
     Effort::new(10, 2.0, STRAIGHT, [1e-11, 1e-9, 1e-6]),
     Effort::new(13, 1.0, STRAIGHT, [1e-14, 1e-12, 1e-7]),
 ];
-/// What is taken of it: all where a tolerance is given, of which the third may be enough, else these.
+/// What is taken of it: all where a tolerance is given, of which the third may be enough, or where there are too many nodes for these.
 const STEEP: [usize; 3] = [0, 3, 4];
+const ALL: [usize; LADDER.len()] = [0, 1, 2, 3, 4];
+
+/// So many of them tell the error of the last.
+const COMPARED: usize = STEEP.len();
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -106,13 +110,18 @@ impl<'b> ManyPanels<'b> {
             self.add_places(&coarse, &left);
             coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
-        let rungs = match self.base.problem().solver().tolerance {
-            Some(_) => (0..LADDER.len()).collect(),
-            None => STEEP.to_vec(),
+        let fits = |solved: &OnZones, rung: usize| {
+            fits(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness)
         };
+        let is_steep = self.base.problem().solver().tolerance.is_none();
+        let is_steep = is_steep && STEEP.iter().all(|rung| fits(&coarse, *rung));
+        let rungs = if is_steep { &STEEP[..] } else { &ALL };
         let next = |solved: &OnZones, level: usize| match rungs.get(level) {
-            Some(rung) => self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some),
-            None => Ok(None),
+            // Three tell an error.
+            Some(rung) if level < COMPARED || fits(solved, *rung) => {
+                self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some)
+            }
+            _ => Ok(None),
         };
         let solved = refined(self.base, coarse, next)?;
         let left = self.left(&solved, ALLOWED);
