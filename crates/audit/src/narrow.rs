@@ -73,11 +73,16 @@ impl Residual<'_> {
             let [left, right] = [window.left, window.right];
             let allowed = allowance(self.theta, right - left) * self.density.largest();
             if window.at_numbers > allowed {
-                let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
-                    .take_while(|x| *x <= right)
-                    .take(MOST_NUMBERS + 1)
-                    .collect();
-                // Beside the origin there are more than can be looked at.
+                let mut numbers: Vec<f64> =
+                    std::iter::successors(Some(left), |x| Some(x.next_up()))
+                        .take_while(|x| *x <= right)
+                        .take(MOST_NUMBERS + 1)
+                        .collect();
+                // Beside the origin there are more than can be looked at. As far as a formula may leave open on which side of a jump they lie the pressure is that of either side: there some tell.
+                let jump = self.cuts_within(0.5 * (left + right), OPEN).next();
+                if let (true, Some(jump)) = (numbers.len() > MOST_NUMBERS, jump) {
+                    numbers = spread([left, right], jump);
+                }
                 if numbers.len() <= MOST_NUMBERS {
                     let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
                     window.at_numbers =
@@ -206,6 +211,25 @@ impl Residual<'_> {
         };
         steady * 2.0 * width * width * slope + unsteady * sum + farther
     }
+}
+
+/// Numbers of a window from left to right, as many apart from each other, with a place between them and its neighbours.
+fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
+    // The numbers of the machine in their order, zero being 0.
+    let order = |x: f64| {
+        let magnitude = x.abs().to_bits() as i64;
+        if x < 0.0 { -magnitude } else { magnitude }
+    };
+    let number = |order: i64| f64::from_bits(order.unsigned_abs()).copysign(order as f64);
+    let beside = [place.next_down(), place, place.next_up()];
+    let parts = (MOST_NUMBERS - 1 - beside.len()) as i64;
+    let (first, last) = (order(left), order(right));
+    let step = last / parts - first / parts;
+    let inner = (1..parts).map(|k| number(first + k * step));
+    let inner = inner.chain(beside).filter(|x| left < *x && *x < right);
+    let mut numbers: Vec<f64> = inner.chain([left, right]).collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers
 }
 
 /// A bound of how much the density changes between the ends of the panels that an interval touches.

@@ -39,6 +39,53 @@ fn terraces_of_a_wave() {
     }
 }
 
+/// A step in the middle, where numbers are as fine as one likes: the even part of the pressure is that of a flat punch, and right beside the step it is off by half the height.
+#[test]
+fn a_step_in_the_middle() {
+    let solved = |profile: &str, theta0: f64| {
+        let toml = format!(
+            "[dimensionless]\ntheta0 = {theta0}\nprofile = \"{profile}\"\nforce = 1\ntilt = 0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap().audited().unwrap()
+    };
+    for theta0 in [0.06, 60.0] {
+        let flat = solved("0", theta0);
+        for (at, profile) in [
+            (0.0, "0.03*step(xi)".to_owned()),
+            (0.0, "0.015*sign(xi)".to_owned()),
+            (9e-5, "0.03*step(xi - 9e-5)".to_owned()),
+            (0.0, "0.03*floor(1 + 0.9*xi)".to_owned()),
+        ] {
+            let stepped = solved(&profile, theta0);
+            let [own, of_flat] = [&stepped, &flat].map(|contact| {
+                let stated = contact.dimensionless().error().unwrap();
+                assert_eq!(stated.kind, ErrorKind::Bound);
+                assert!(stated.pressure < 1e-10, "{profile} {theta0}: {stated:?}");
+                stated.pressure
+            });
+            let pressure = |contact: &shtaerman::Contact, xi: f64| {
+                contact.dimensionless().pressure(xi).unwrap()
+            };
+            for d in [1e-300, 1e-19, 1e-17, 1e-10, 1e-3, 0.4] {
+                // Nearer to its jump the floor is that of 1 on either side.
+                if at + d == at || profile.contains("floor") && d < 1e-15 {
+                    continue;
+                }
+                let [left, right] = [at - d, at + d].map(|xi| pressure(&stepped, xi));
+                let level = pressure(&flat, d);
+                let off = 0.5 * (left + right) - level;
+                assert!(at > 0.0 || off.abs() <= own + of_flat, "{profile} {theta0} {d}: {off:e}");
+                // The potential of the jump itself changes by `2 h d (1 - ln d)` at most.
+                if d < 1e-9 {
+                    let off = left - right - 0.03;
+                    let potential = 0.06 * theta0 * d * (1.0 - d.ln());
+                    assert!(off.abs() < potential + 2.0 * own, "{profile} {d}: {off:e}");
+                }
+            }
+        }
+    }
+}
+
 /// A stepped disk under a settlement. The operator is symmetric, so its force is `delta P_1 - h int p_1 dA` over the step, with force and pressure of a flat disk that is pressed in by 1.
 #[test]
 fn stepped_disks() {
