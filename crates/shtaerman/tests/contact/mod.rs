@@ -10,6 +10,7 @@ mod heights;
 mod hostile;
 mod invariance;
 mod layer_limit;
+mod many_panels;
 mod measured;
 mod pairs;
 mod random;

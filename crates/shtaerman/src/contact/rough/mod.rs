@@ -64,12 +64,13 @@ impl Setting {
     /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        if (base.is_for_panels() || base.ground.is_closed())
-            && let Ok(found) = on_panels(&base)
-        {
-            return found.without_tension();
+        let serve = base.is_for_panels() || base.ground.is_closed();
+        match serve.then(|| on_panels(&base)) {
+            Some(Ok(found)) => found.without_tension(),
+            // A wave without gaps has no ends for collocation.
+            Some(Err(error)) if self.problem().is_wave() => Err(error),
+            _ => collocated(&base),
         }
-        collocated(&base)
     }
 
     /// The same by collocation on these parts.

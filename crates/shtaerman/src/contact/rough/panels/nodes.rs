@@ -61,8 +61,8 @@ pub(in crate::contact::rough) struct OnPanels {
 }
 
 impl OnPanels {
-    fn local(&self, xi: f64) -> f64 {
-        (xi - self.hull.centre) / self.hull.half
+    fn local(&self, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|xi| (xi - self.hull.centre) / self.hull.half).collect()
     }
 }
 
@@ -73,24 +73,21 @@ impl Field for OnPanels {
     const RATIO: Option<f64> = None;
 
     fn at(&self, xi: f64) -> f64 {
-        self.parameter * self.field.at(self.local(xi))
+        self.parameter * self.field.at((xi - self.hull.centre) / self.hull.half)
     }
 
     fn at_all(&self, places: &[f64]) -> Vec<f64> {
-        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
-        self.field.values(&local).iter().map(|value| self.parameter * value).collect()
+        self.field.values(&self.local(places)).iter().map(|value| self.parameter * value).collect()
     }
 
     fn slopes(&self, places: &[f64]) -> Option<Vec<[f64; 2]>> {
-        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
         let factor = self.parameter / self.hull.half;
-        let slopes = self.field.slopes(&local).into_iter();
+        let slopes = self.field.slopes(&self.local(places)).into_iter();
         Some(slopes.map(|sums| sums.map(|sum| factor * sum)).collect())
     }
 
     fn interpolated(&self, values: &[f64], places: &[f64]) -> Vec<Option<f64>> {
-        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
-        self.field.panels().interpolate_all(values, &local)
+        self.field.panels().interpolate_all(values, &self.local(places))
     }
 
     fn between() -> Vec<f64> {
@@ -105,9 +102,7 @@ pub(super) struct PanelNodes<'b> {
     kernel: PanelKernel,
     nodes: Arc<Nodes>,
     parameter: f64,
-    residual: f64,
-    /// Residual of responses relative to their right-hand sides.
-    responses: f64,
+    effort: Effort,
     /// The length of all zones in local coordinates.
     total: f64,
 }
@@ -140,9 +135,8 @@ impl<'b> PanelNodes<'b> {
         effort: Effort,
         known: Option<&PanelOperator>,
     ) -> Result<Self, Error> {
-        let (kernel, frame) = framed(base)?;
+        let (kernel, frame, panels) = cut(base, joints, zones, effort.fineness)?;
         let Hull { centre, half } = frame.hull;
-        let panels = cut(base, (kernel, &frame), joints, zones, effort.fineness)?;
         let operator = PanelOperator::beside(kernel, panels, known)?;
         let on_base = |y: &f64| centre + half * y;
         let bounds = operator.panels().bounds().iter();
@@ -154,8 +148,7 @@ impl<'b> PanelNodes<'b> {
         let parameter = base.strength() * base.ground.scale(&frame.hull);
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        let Effort { residual, responses, .. } = effort;
-        Ok(Self { base, operator, kernel, nodes, parameter, residual, responses, total })
+        Ok(Self { base, operator, kernel, nodes, parameter, effort, total })
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.
@@ -258,7 +251,7 @@ impl Discrete for PanelNodes<'_> {
     }
 
     fn residual(&self) -> f64 {
-        self.residual
+        self.effort.residual
     }
 
     fn field(&self, pressures: Vec<f64>) -> OnPanels {
@@ -273,7 +266,7 @@ impl Discrete for PanelNodes<'_> {
         body: &[f64],
         near: Option<&[Response<OnPanels>; 3]>,
     ) -> Result<[Response<OnPanels>; 3], Error> {
-        let share = self.responses;
+        let share = self.effort.responses;
         let (ones, lever, turns) =
             (vec![1.0; body.len()], self.nodes.lever(), self.nodes.frame.turns);
         // What does not turn has no use for the third.
@@ -334,27 +327,15 @@ struct Solution {
     noise: f64,
 }
 
-/// Whether there is an operator on panels of these zones.
-pub(super) fn fits(base: &Base, joints: &[f64], zones: &[Zone], fineness: Fineness) -> bool {
-    framed(base)
-        .is_ok_and(|(kernel, frame)| cut(base, (kernel, &frame), joints, zones, fineness).is_ok())
-}
-
-/// The kernel of the ground, and the frame of all panels.
-fn framed(base: &Base) -> Result<(PanelKernel, Frame), Error> {
-    let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
-    let hull = Hull { centre: base.surface.origin, half };
-    Ok((kernel, Frame::new(base, hull, 0.0)))
-}
-
-/// The panels of these zones, in local coordinates. Where they crowd beside long ones, whose neighbours all act directly, those are cut.
-fn cut(
+/// The kernel of the ground, the frame of all panels, and those of these zones in local coordinates. Where they crowd beside long ones, whose neighbours all act directly, those are cut.
+pub(super) fn cut(
     base: &Base,
-    (kernel, frame): (PanelKernel, &Frame),
     joints: &[f64],
     zones: &[Zone],
     mut fineness: Fineness,
-) -> Result<Panels, Error> {
+) -> Result<(PanelKernel, Frame, Panels), Error> {
+    let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
+    let frame = Frame::new(base, Hull { centre: base.surface.origin, half }, 0.0);
     loop {
         let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
         let longest = bounds.iter().map(|[left, right]| right - left).fold(0.0, f64::max);
@@ -366,7 +347,7 @@ fn cut(
         let panels = Panels::new(bounds, fineness.order)?;
         match PanelOperator::check(kernel, &panels) {
             Err(fredholm::Error::TooLarge { .. }) => fineness.longest = 0.5 * longest,
-            checked => return Ok(checked.map(|()| panels)?),
+            checked => return Ok(checked.map(|()| (kernel, frame, panels))?),
         }
     }
 }

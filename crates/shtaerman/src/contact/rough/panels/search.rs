@@ -10,7 +10,7 @@ use std::sync::Arc;
 use fredholm::multipole::PanelOperator;
 
 use super::mesh::STRAIGHT;
-use super::nodes::{Effort, OnPanels, PanelNodes, fits};
+use super::nodes::{Effort, OnPanels, PanelNodes, cut};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::check::{BETWEEN, Check};
@@ -38,9 +38,6 @@ const LADDER: [Effort; 5] = [
 /// What is taken of it: all where a tolerance is given, of which the third may be enough, or where there are too many nodes for these.
 const STEEP: [usize; 3] = [0, 3, 4];
 const ALL: [usize; LADDER.len()] = [0, 1, 2, 3, 4];
-
-/// So many of them tell the error of the last.
-const COMPARED: usize = STEEP.len();
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -111,14 +108,14 @@ impl<'b> ManyPanels<'b> {
             coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
         let fits = |solved: &OnZones, rung: usize| {
-            fits(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness)
+            cut(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness).is_ok()
         };
-        let is_steep = self.base.problem().solver().tolerance.is_none();
-        let is_steep = is_steep && STEEP.iter().all(|rung| fits(&coarse, *rung));
+        let is_steep = self.base.problem().solver().tolerance.is_none()
+            && STEEP.iter().all(|rung| fits(&coarse, *rung));
         let rungs = if is_steep { &STEEP[..] } else { &ALL };
         let next = |solved: &OnZones, level: usize| match rungs.get(level) {
             // Three tell an error.
-            Some(rung) if level < COMPARED || fits(solved, *rung) => {
+            Some(rung) if level < STEEP.len() || fits(solved, *rung) => {
                 self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some)
             }
             _ => Ok(None),
