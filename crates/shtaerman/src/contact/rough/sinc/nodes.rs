@@ -16,8 +16,8 @@ use crate::contact::rough::nodes::{
 };
 use crate::contact::zones::Zone;
 
-/// Shares of a panel from its ends at which resolutions are compared as well: about there few nodes do not resolve a kernel that is nearly as singular as `1/d`, which places between the nodes do not show (survey).
-const BESIDE_ENDS: [f64; 4] = [3e-14, 3e-13, 3e-12, 3e-11];
+/// Shares of a panel from its ends at which resolutions are compared as well, one a decade: nodes crowd there, and what they miss of a kernel that is a power shows in a few decades only, which places between the nodes do not reach (survey).
+const BESIDE_ENDS: [f64; 9] = [3e-14, 3e-13, 3e-12, 3e-11, 3e-10, 3e-9, 3e-8, 3e-7, 3e-6];
 
 /// A number of nodes with what can be shared among zones.
 pub(in crate::contact::rough) struct Resolution {
