@@ -87,7 +87,7 @@ impl Tree {
             let values = rest.split_off_mut(..own.len()).unwrap_or_default();
             (leaf, own, values)
         });
-        let mut leaves: Vec<(usize, Range<usize>, &mut [[f64; POINTS]])> = leaves.collect();
+        let mut leaves: Vec<_> = leaves.collect();
         let share = leaves.len().div_ceil(parts_of(CARDINAL * POINTS * nodes.len()));
         each(leaves.chunks_mut(share).collect(), |leaves| {
             for (leaf, own, values) in leaves {

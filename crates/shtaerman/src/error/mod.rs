@@ -242,7 +242,7 @@ pub enum Error {
     /// An answer with an error that nobody asked for.
     #[error(
         "the {method} method with n = {n} reached {}, and answers beyond {most:e} are none unless that is asked for: \
-         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points", relative(*reached)
+         allow more by `tolerance`, resolve what the profile shows by fewer kinks, steps or measured points, or, if it is the audit that bounds no less, do without it (`--no-audit`, `audit=False`)", relative(*reached)
     )]
     NotAccurate {
         /// The relative error reached.

@@ -1,6 +1,7 @@
 //! The base of the punch.
 
 mod base;
+pub(crate) mod beside;
 mod cubic;
 mod enclosure;
 mod evenness;

@@ -5,6 +5,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+mod beside_bends;
 #[path = "../../examples/audit_survey/coarse.rs"]
 mod coarse;
 mod cross_check;

@@ -15,6 +15,7 @@ use crate::contact::rough::nodes::{
     Discrete, FEWEST, Field, Nodes, PLACES, Pressed, RATIO, Response, Step, Task, between_nodes,
 };
 use crate::contact::zones::Zone;
+use crate::profile::beside::{Beside, corrected};
 
 /// Shares of a panel from its ends at which resolutions are compared as well, one a decade: nodes crowd there, and what they miss of a kernel that is a power shows in a few decades only, which places between the nodes do not reach (survey).
 const BESIDE_ENDS: [f64; 9] = [3e-14, 3e-13, 3e-12, 3e-11, 3e-10, 3e-9, 3e-8, 3e-7, 3e-6];
@@ -126,17 +127,14 @@ impl<'b> SincNodes<'b> {
             zones.iter().flat_map(|zone| zone.panels(&base.breaks)).collect();
         let operator = resolution.operator(local_panels(ground, &hull, &panels))?;
         let place = |place: Place| {
-            let [left, right] = panels[place.panel];
-            let xi = if place.from_left < place.from_right {
-                left + hull.half * place.from_left
-            } else {
-                right - hull.half * place.from_right
-            };
-            xi.clamp(left.next_up(), right.next_down().max(left.next_up()))
+            let distances = [place.from_left, place.from_right].map(|d| hull.half * d);
+            Beside::new(panels[place.panel], distances)
         };
-        let places: Vec<f64> = operator.places().map(place).collect();
+        let beside: Vec<Beside> = operator.places().map(place).collect();
+        let places: Vec<f64> = beside.iter().map(Beside::number).collect();
         base.problem().deadline().spend(ground.entry() * (places.len() as f64).powi(2));
-        let heights = base.heights(&places)?;
+        let mut heights = base.heights(&places)?;
+        corrected(&mut heights, &beside, |xi| base.height(xi));
         let frame = Frame::new(base, hull, ground.gauge(&hull));
         let (zones, locals) = (zones.to_vec(), operator.positions().collect());
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
