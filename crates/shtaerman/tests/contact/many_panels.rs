@@ -34,7 +34,7 @@ fn a_wave_of_fifty_thousand_points() {
     .unwrap();
     let punch = flat.punch().clone().with_profile(trace);
     let problem = Problem::new(flat.foundation().clone(), punch, *flat.load()).unwrap();
-    let contact = problem.with_solver(flat.solver().clone()).solve().unwrap();
+    let contact = problem.with_solver(*flat.solver()).solve().unwrap();
     let contact = contact.dimensionless();
     let stated = contact.error().unwrap();
     // Between measured points the spline is off by `5/384 h^4 |f''''|`.

@@ -91,7 +91,7 @@ fn a_settlement_that_no_digits_lead_to() {
 /// No size of a system that the program chose itself is a fault of the input.
 #[test]
 fn a_system_beyond_memory_is_no_bad_input() {
-    let toml = "[dimensionless]\ngeometry = \"pair\"\ninner_half_gap = 0.3\ntheta0 = 3\nprofile = \"atan(1e5*(abs(xi)-0.5))\"\nforce = 1\nmoment = 0\n[solver]\ncontact = \"bilateral\"\n";
+    let toml = "[dimensionless]\ngeometry = \"pair\"\ninner_half_gap = 0.3\ntheta0 = 3\nprofile = \"atan(1e7*(abs(xi)-0.5))\"\nforce = 1\nmoment = 0\n[solver]\ncontact = \"bilateral\"\n";
     let error = shtaerman::file::parse(toml, "test").unwrap().solve().unwrap_err();
     assert!(error.is_numerical(), "{error}");
 }
