@@ -4,12 +4,13 @@
 //! goes on as the power of the distance that the next numbers show, and farther away a rounding of the place is taken out.
 
 /// Numbers from an end at which the power is looked for.
-const NUMBERS: f64 = 4.0;
-/// The least power: what rises less from one number to the fourth is a step, and the height at the end that of its other side. Of `q = 0.1` it is a seventh.
-const LEAST: f64 = 0.1;
-
-/// Beyond so many numbers the distance of a place from the end is rounded to a millionth.
-const FAR: f64 = 1e6;
+const NUMBERS: [f64; 3] = [1.0, 4.0, 16.0];
+/// The least power: what rises less from number to number is rounding of a step.
+const LEAST: f64 = 0.02;
+/// Changes of no more than this, relative to the heights, are rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Beyond so many numbers from the end a rounding of the place changes no height by more than one of its own.
+const FAR: f64 = 1e12;
 
 /// A place of an interval by its distance from the nearer end.
 #[derive(Debug, Clone, Copy)]
@@ -49,13 +50,18 @@ struct Tip {
 }
 
 impl Tip {
-    /// None for a step, and where they do not change.
+    /// By `a + b d^q` through three numbers, as the height at the end may be that of the other side of a step; none where they do not change.
     fn new(height: &impl Fn(f64) -> f64, end: f64, step: f64) -> Option<Self> {
-        let at_end = height(end);
-        let fourth = end + NUMBERS * step;
-        let [rise, fourth_rise] = [end + step, fourth].map(|xi| height(xi) - at_end);
-        let power = (fourth_rise / rise).ln() / ((fourth - end) / step).ln();
-        (power.is_finite() && power >= LEAST).then_some(Self { at_end, power })
+        let [one, four, sixteen] = NUMBERS.map(|number| height(end + number * step));
+        let rounding = ROUNDING * one.abs().max(sixteen.abs());
+        let power = ((sixteen - four) / (four - one)).ln() / NUMBERS[1].ln();
+        if !(power >= LEAST && (four - one).abs() > rounding) {
+            return None;
+        }
+        let extrapolated = one - (four - one) / (NUMBERS[1].powf(power) - 1.0);
+        let given = height(end);
+        let is_given = (given - extrapolated).abs() <= rounding / power;
+        Some(Self { at_end: if is_given { given } else { extrapolated }, power })
     }
 }
 
@@ -85,10 +91,11 @@ mod tests {
     fn heights_between_numbers_are_those_of_a_tip() {
         let ulp = f64::EPSILON * 0.5;
         for end in [0.703, -0.44, 0.99, -0.99] {
-            for power in [0.2, 0.5, 1.0, 1.7] {
+            for power in [0.05, 0.2, 0.5, 0.8] {
                 let height = |xi: f64| 0.3 + (xi - end).abs().powf(power);
                 for is_right in [true, false] {
-                    let distances = [1e-3, 0.1, 0.4, 3.0, 77.4, 5e5].map(|share| share * ulp);
+                    let distances =
+                        [1e-3, 0.1, 0.4, 3.0, 77.4, 5e5, 3.3e9].map(|share| share * ulp);
                     let place = |d: f64| match is_right {
                         true => Beside::new([end, end + 0.5], [d, 0.5 - d]),
                         false => Beside::new([end - 0.5, end], [0.5 - d, d]),
@@ -98,16 +105,28 @@ mod tests {
                     corrected(&mut heights, &places, height);
                     for (d, found) in distances.iter().zip(heights) {
                         let exact = 0.3 + d.powf(power);
-                        assert!((found - exact).abs() <= 4.0 * ulp, "{end} {power} {d:e}: {found}");
+                        assert!(
+                            (found - exact).abs() <= 8.0 * ulp / (power * power),
+                            "{end} {power} {d:e}: {found}"
+                        );
                     }
                 }
             }
         }
         // The other side of a step is not theirs.
-        let step = |xi: f64| if xi > 0.25 { 1.0 } else { 0.0 };
         let places = [Beside::new([0.25, 1.0], [1e-20, 0.75])];
+        for step in [0.0, 1e-9, 1.0] {
+            let height = |xi: f64| {
+                let above = if xi > 0.25 { step } else { 0.0 };
+                above + 0.1 * (xi - 0.25).abs().powf(0.2)
+            };
+            let mut heights = [height(0.25f64.next_up())];
+            corrected(&mut heights, &places, height);
+            let exact = step + 0.1 * 1e-20f64.powf(0.2);
+            assert!((heights[0] - exact).abs() < 1e-14 * (1.0 + step), "{step}: {heights:?}");
+        }
         let mut heights = [1.0];
-        corrected(&mut heights, &places, step);
+        corrected(&mut heights, &places, |xi| if xi > 0.25 { 1.0 + 1e-3 * xi } else { 0.0 });
         assert_eq!(heights, [1.0]);
     }
 }
