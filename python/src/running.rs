@@ -49,8 +49,9 @@ fn waiting<T>(_holds_the_interpreter: Python<'_>, change: impl FnOnce(&mut Vec<W
     let mut waiting = WAITING.lock().unwrap_or_else(PoisonError::into_inner);
     let process = std::process::id();
     if waiting.process != process {
-        // A fork has none of the threads.
-        *waiting = Waiting { process, workers: Vec::new() };
+        // A fork has none of the threads, and one of them may have held a lock of its channel then: what is left of them is not touched.
+        std::mem::forget(std::mem::take(&mut waiting.workers));
+        waiting.process = process;
     }
     change(&mut waiting.workers)
 }
