@@ -17,12 +17,13 @@ const ROUNDED: f64 = 4.0;
 const VICINITY: f64 = 64.0;
 
 /// What was seen at numbers: the largest of what counts of the residual, of either sign in a zone and negative beside zones; the least residual; and the largest where the answer's own pressure
-/// and the height on the better side of a jump count.
+/// and the height on the better side of a jump count; and the same with the height at the number.
 #[derive(Debug, Clone, Copy)]
 struct Seen {
     largest: f64,
     least: f64,
     at_numbers: f64,
+    on_its_side: f64,
 }
 
 impl Residual<'_> {
@@ -73,21 +74,20 @@ impl Residual<'_> {
             let [left, right] = [window.left, window.right];
             let allowed = allowance(self.theta, right - left) * self.density.largest();
             if window.at_numbers > allowed {
-                let mut numbers: Vec<f64> =
-                    std::iter::successors(Some(left), |x| Some(x.next_up()))
-                        .take_while(|x| *x <= right)
-                        .take(MOST_NUMBERS + 1)
-                        .collect();
-                // Beside the origin there are more than can be looked at. As far as a formula may leave open on which side of a jump they lie the pressure is that of either side: there some tell.
+                let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
+                    .take_while(|x| *x <= right)
+                    .take(MOST_NUMBERS + 1)
+                    .collect();
+                let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
                 let jump = self.cuts_within(0.5 * (left + right), OPEN).next();
-                if let (true, Some(jump)) = (numbers.len() > MOST_NUMBERS, jump) {
-                    numbers = spread([left, right], jump);
-                }
-                if numbers.len() <= MOST_NUMBERS {
-                    let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
-                    window.at_numbers =
-                        window.at_numbers.min(self.seen(&numbers, is_inside).at_numbers);
-                }
+                let told = if numbers.len() <= MOST_NUMBERS {
+                    Some(self.seen(&numbers, is_inside).at_numbers)
+                } else {
+                    // Beside the origin there are more than can be looked at.
+                    jump.map(|jump| self.between([left, right], jump, is_inside))
+                };
+                window.at_numbers =
+                    told.map_or(window.at_numbers, |told| told.min(window.at_numbers));
             }
             most = most.max(window.at_numbers);
         }
@@ -95,28 +95,72 @@ impl Residual<'_> {
 
     /// The residual at numbers.
     fn seen(&self, numbers: &[f64], is_inside: bool) -> Seen {
-        let mut seen = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0 };
+        let none = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0, on_its_side: 0.0 };
+        self.each(numbers, is_inside).into_iter().fold(none, |all, one| Seen {
+            largest: all.largest.max(one.largest),
+            least: all.least.min(one.least),
+            at_numbers: all.at_numbers.max(one.at_numbers),
+            on_its_side: all.on_its_side.max(one.on_its_side),
+        })
+    }
+
+    /// The same at each number.
+    fn each(&self, numbers: &[f64], is_inside: bool) -> Vec<Seen> {
         let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
         let places = Places::numbers(numbers);
         self.density.potentials(&places, &mut potentials[..numbers.len()]);
         let mut heights = [[0.0; 2]; MOST_NUMBERS];
         self.profile.heights(numbers, &mut heights[..numbers.len()]);
         let densities = self.density.values(&places);
-        for (((&x, potential), height), q) in
-            numbers.iter().zip(potentials).zip(heights).zip(densities)
-        {
-            let (w, error) = self.formed(x, height, q, potential);
-            // Of what may be off by the error.
-            let size = |w: f64, error: f64| {
-                if is_inside { w.abs() + error } else { (error - w).max(0.0) }
-            };
-            seen.largest = seen.largest.max(size(w, error));
-            seen.least = seen.least.min(w - error);
-            // The answer's own pressure counts at a place, not the resampled one, which may bend there.
-            let w = if is_inside { w + (self.pressure)(x) - q.0 } else { w };
-            seen.at_numbers = seen.at_numbers.max(self.at_number(x, height, (w, error), &size));
+        (numbers.iter().zip(potentials).zip(heights).zip(densities))
+            .map(|(((&x, potential), height), q)| {
+                let (w, error) = self.formed(x, height, q, potential);
+                // Of what may be off by the error.
+                let size = |w: f64, error: f64| {
+                    if is_inside { w.abs() + error } else { (error - w).max(0.0) }
+                };
+                // The answer's own pressure counts at a place, not the resampled one, which may bend there.
+                let own = if is_inside { w + (self.pressure)(x) - q.0 } else { w };
+                Seen {
+                    largest: size(w, error),
+                    least: w - error,
+                    at_numbers: self.at_number(x, height, (own, error), &size),
+                    on_its_side: size(own, error),
+                }
+            })
+            .collect()
+    }
+
+    /// A bound of what counts at all numbers of a window beside a jump, of which there are more than can be looked at: what some tell, and what it may change by between these.
+    fn between(&self, window: [f64; 2], jump: f64, is_inside: bool) -> f64 {
+        let is_either = |x: f64| self.jump_about(x).is_some() || self.is_open(x);
+        let mut numbers = spread(window, jump);
+        // A formula leaves open what is nearer to the jump than some number, on either side.
+        let ends = numbers.clone();
+        for pair in ends.windows(2).filter(|pair| is_either(pair[0]) != is_either(pair[1])) {
+            let first = is_either(pair[0]);
+            let [mut before, mut after] = [order(pair[0]), order(pair[1])];
+            while after - before > 1 {
+                let middle = before + (after - before) / 2;
+                if is_either(number(middle)) == first { before = middle } else { after = middle }
+            }
+            numbers.extend([before, after].map(number));
         }
-        seen
+        numbers.sort_by(f64::total_cmp);
+        let seen: Vec<Seen> =
+            numbers.chunks(MOST_NUMBERS).flat_map(|some| self.each(some, is_inside)).collect();
+        let mut largest = seen.iter().fold(0.0f64, |most, one| most.max(one.at_numbers));
+        for (ends, seen) in numbers.windows(2).zip(seen.windows(2)) {
+            let inner = [ends[0].next_up(), ends[1].next_down()];
+            if inner[0] > inner[1] {
+                continue;
+            }
+            let told =
+                |one: &Seen, x: f64| if is_either(x) { one.at_numbers } else { one.on_its_side };
+            let told = told(&seen[0], ends[0]).max(told(&seen[1], ends[1]));
+            largest = largest.max(told + self.variation(inner));
+        }
+        largest
     }
 
     /// The nearest places where the base may jump, one on either side, if they are within a distance.
@@ -126,6 +170,11 @@ impl Residual<'_> {
         nearest
             .filter_map(|index| self.cuts.get(index).copied())
             .filter(move |cut| (x - cut).abs() <= distance)
+    }
+
+    /// The place of a jump on either side of which a number may lie, as far as that place is known.
+    fn jump_about(&self, x: f64) -> Option<f64> {
+        self.cuts_within(x, OPEN).find(|cut| (x - cut).abs() <= blur(cut.abs()))
     }
 
     /// Whether a formula, with its roundings, leaves open on which side of a jump a number lies: then its height is that of either side.
@@ -150,8 +199,7 @@ impl Residual<'_> {
         (w, error): (f64, f64),
         size: &dyn Fn(f64, f64) -> f64,
     ) -> f64 {
-        let blurred = self.cuts_within(x, OPEN).find(|cut| (x - cut).abs() <= blur(cut.abs()));
-        let either = match blurred {
+        let either = match self.jump_about(x) {
             Some(cut) => {
                 let blur = blur(cut.abs());
                 Some(self.profile.range([cut - blur, cut + blur]))
@@ -215,12 +263,6 @@ impl Residual<'_> {
 
 /// Numbers of a window from left to right, as many apart from each other, with a place between them and its neighbours.
 fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
-    // The numbers of the machine in their order, zero being 0.
-    let order = |x: f64| {
-        let magnitude = x.abs().to_bits() as i64;
-        if x < 0.0 { -magnitude } else { magnitude }
-    };
-    let number = |order: i64| f64::from_bits(order.unsigned_abs()).copysign(order as f64);
     let beside = [place.next_down(), place, place.next_up()];
     let parts = (MOST_NUMBERS - 1 - beside.len()) as i64;
     let (first, last) = (order(left), order(right));
@@ -230,6 +272,16 @@ fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
     let mut numbers: Vec<f64> = inner.chain([left, right]).collect();
     numbers.sort_by(f64::total_cmp);
     numbers
+}
+
+/// The numbers of the machine in their order, zero being 0.
+fn order(x: f64) -> i64 {
+    let magnitude = x.abs().to_bits() as i64;
+    if x < 0.0 { -magnitude } else { magnitude }
+}
+
+fn number(order: i64) -> f64 {
+    f64::from_bits(order.unsigned_abs()).copysign(order as f64)
 }
 
 /// A bound of how much the density changes between the ends of the panels that an interval touches.
