@@ -24,6 +24,8 @@ pub(super) struct Check {
     pub(super) penetrating: Vec<[f64; 3]>,
     /// The deepest penetration beyond rounding, a displacement: a zone that is about to open is not in the answer, and displacements may be off by as much.
     pub(super) missed: f64,
+    /// Whether no node sees the tension that is listed: then there are too few.
+    pub(super) is_between_nodes: bool,
 }
 
 impl Check {
@@ -37,6 +39,7 @@ impl Check {
             pulling,
             penetrating,
             missed: 0.0,
+            is_between_nodes: false,
         }
     }
 

@@ -31,6 +31,13 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
         check.add_tension(&points, &values, [largest, allowed * largest + floor]);
     }
     check.missed = check.missed.max(check.tension * largest - floor);
+    let pulls = |at: &f64, given: &f64| {
+        -given > allowed * largest + floor
+            && check.pulling.iter().any(|[left, right]| left <= at && at <= right)
+    };
+    let nodes = &mut solved.nodes.places.iter().zip(&solved.given);
+    check.is_between_nodes =
+        !check.pulling.is_empty() && !nodes.any(|(at, given)| pulls(at, given));
     // What is compared outside is of the size of its terms.
     let scale = solved.size() + solved.state.settlement.abs() + solved.state.tilt.abs();
     let gaps = outside(&base.pieces, zones).into_iter();
