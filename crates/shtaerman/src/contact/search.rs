@@ -331,8 +331,8 @@ impl Progress {
         let is_doubtful =
             is_same(violation, worst) || worst < DOUBTFUL && worst < SLOW * self.before;
         self.vanished = if vanished { self.vanished + 1 } else { 0 };
-        let is_over = vanished && self.vanished < VANISHED;
-        if (is_doubtful && !is_over || left.is_between_nodes) && can_be_finer() {
+        let narrows = vanished && self.vanished < VANISHED;
+        if (is_doubtful && !narrows || left.is_between_nodes) && can_be_finer() {
             self.before = worst;
             return Next::Finer;
         }
