@@ -328,11 +328,11 @@ impl Progress {
         let [violation, penetration] = self.corrected;
         let vanished = !left.penetrating.is_empty() && is_same(penetration, left.penetration);
         // What a correction leaves as it was is none of the zones.
-        let is_doubtful =
-            is_same(violation, worst) || worst < DOUBTFUL && worst < SLOW * self.before;
+        let is_doubtful = is_same(violation, worst)
+            || (worst < DOUBTFUL || left.is_between_nodes) && worst < SLOW * self.before;
         self.vanished = if vanished { self.vanished + 1 } else { 0 };
         let narrows = vanished && self.vanished < VANISHED;
-        if (is_doubtful && !narrows || left.is_between_nodes) && can_be_finer() {
+        if is_doubtful && !narrows && can_be_finer() {
             self.before = worst;
             return Next::Finer;
         }
