@@ -4,6 +4,9 @@ use super::edges::{EndState, FALLING};
 use super::intervals::SLIVER;
 use super::zones::Zone;
 
+/// A value below this share of the largest of all ends tells no place (survey).
+const OTHERS: f64 = 0.1;
+
 /// For each end of each zone the places, inwards and outwards of it, between which its value changed its sign in earlier steps.
 ///
 /// Newton's method alone need not come to an end: beyond a bend of a smooth base, at the distance `d`, the value falls as `sqrt(d)`. From one side its step is far too long, and from the other
@@ -27,6 +30,11 @@ impl Brackets {
         if self.0.len() != zones.len() {
             self.0 = vec![[Bracket::default(); 2]; zones.len()];
         }
+        let share = |end: &EndState| end.value.abs() / end.scale;
+        let free = |(zone, ends): (&Zone, &[EndState; 2])| {
+            zone.free_ends().map(|(side, _)| share(&ends[side])).fold(0.0, f64::max)
+        };
+        let worst = zones.iter().zip(ends).map(free).fold(0.0, f64::max);
         for ((zone, ends), known) in zones.iter().zip(ends).zip(&mut self.0) {
             for (side, at) in zone.free_ends() {
                 let outwards = if side == 0 { -1.0 } else { 1.0 };
@@ -34,7 +42,10 @@ impl Brackets {
                 let is_outside = value < 0.0;
                 let Bracket { inner, outer, value: before } = &mut known[side];
                 let (same, other) = if is_outside { (outer, inner) } else { (inner, outer) };
-                *same = Some(at);
+                // What the others still move by may be all there is to it.
+                if share(&ends[side]) >= OTHERS * worst {
+                    *same = Some(at);
+                }
                 let width = |place: f64| {
                     if is_outside { outwards * (at - place) } else { outwards * (place - at) }
                 };

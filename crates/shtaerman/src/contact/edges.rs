@@ -86,7 +86,7 @@ pub(super) fn settle<E: Equation>(
         let mut ends = equation.ends(&solved);
         let lacking = lacking(&zones, &ends);
         if let Some(step) = &mut step
-            && step.is_to_be_cut(lacking, &mut zones)
+            && step.is_to_be_cut(lacking, &ends, &mut zones)
         {
             continue;
         }
@@ -158,22 +158,34 @@ struct Step {
 }
 
 impl Step {
-    /// Halves the step to these zones, if it made the ends twice as bad: beyond a bend of the base the slope at the end says nothing.
-    fn is_to_be_cut(&mut self, lacking: f64, zones: &mut [Zone]) -> bool {
+    /// Cuts the step to these zones, if it made the ends twice as bad: beyond a bend of the base the slope at the end says nothing. An end whose value changed its sign goes back to where the secant has it vanish;
+    /// at first one that is no worse stays.
+    fn is_to_be_cut(&mut self, lacking: f64, ends: &Ends, zones: &mut [Zone]) -> bool {
         // Half the factor changes no answer and takes a quarter more time (survey).
         if lacking <= 2.0 * self.lacking || self.cuts >= CUTS || self.from.len() != zones.len() {
             return false;
         }
         self.cuts += 1;
-        for (zone, from) in zones.iter_mut().zip(&self.from) {
+        for (j, (zone, from)) in zones.iter_mut().zip(&self.from).enumerate() {
             for side in 0..2 {
-                zone.ends[side] = 0.5 * (zone.ends[side] + from.ends[side]);
+                let [was, now] = [&self.ends, ends].map(|ends| ends[j][side].value);
+                let kept = if was * now < 0.0 {
+                    (was / (was - now)).max(LEAST_KEPT)
+                } else if now.abs() <= was.abs() && self.cuts == 1 {
+                    1.0
+                } else {
+                    0.5
+                };
+                zone.ends[side] = from.ends[side] + kept * (zone.ends[side] - from.ends[side]);
             }
             zone.kinds = from.kinds;
         }
         true
     }
 }
+
+/// The least share of a step that is kept where it is cut (survey).
+const LEAST_KEPT: f64 = 0.02;
 
 /// A value below this share of its scale changes with its own end alone (survey).
 const NEAR: f64 = 1e-2;
