@@ -7,6 +7,9 @@ use super::zones::Zone;
 /// A value below this share of the largest of all ends tells no place (survey).
 const OTHERS: f64 = 0.1;
 
+/// The share of the way to a place known to be too far that a step may go: steps that nearly get there from either side come to no end (survey).
+const MOST: f64 = 0.75;
+
 /// For each end of each zone the places, inwards and outwards of it, between which its value changed its sign in earlier steps.
 ///
 /// Newton's method alone need not come to an end: beyond a bend of a smooth base, at the distance `d`, the value falls as `sqrt(d)`. From one side its step is far too long, and from the other
@@ -62,7 +65,7 @@ impl Brackets {
         let Bracket { inner, outer, .. } = known[side];
         let limit = if step < 0.0 { inner } else { outer };
         match limit {
-            Some(place) if step.abs() >= (place - at).abs() => {
+            Some(place) if step.abs() >= MOST * (place - at).abs() => {
                 0.5 * (place - at).abs().copysign(step)
             }
             _ => step,

@@ -3,6 +3,7 @@
 //! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
 //! the pressure beside it, carried on straight, would vanish.
 
+use super::accuracy::{ROUNDING, SAFETY};
 use super::brackets::Brackets;
 use super::intervals::SLIVER;
 use super::search::Equation;
@@ -102,7 +103,8 @@ pub(super) fn settle<E: Equation>(
         if let Some(before) = best_before {
             stalls = if free.worst >= FALLING * before { stalls + 1 } else { 0 };
             // Values within their rounding are noise at once, of which a later one is smaller by chance only.
-            let patience = if free.are_rounding { 1 } else { STALLS };
+            let is_noise = free.are_rounding || free.worst <= SAFETY * ROUNDING;
+            let patience = if is_noise { 1 } else { STALLS };
             if stalls >= patience || free.are_enough {
                 return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
