@@ -203,7 +203,9 @@ impl<'a> Switch<'a> {
             Rule::Stairs(Unary::Ceil) => end > start,
             Rule::Stairs(_) => end < start,
         };
-        found.places.push(if is_left { left } else { right });
+        let place = if is_left { left } else { right };
+        // Products round to nothing there: `ceil(0.5 xi)` would step at the smallest number of all.
+        found.places.push(if place.is_subnormal() { 0.0 } else { place });
         found.is_cut_short |= matches!(self.rule, Rule::Stairs(_)) && (end - start).abs() > 1.0;
         2 + halvings as usize
     }

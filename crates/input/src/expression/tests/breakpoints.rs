@@ -48,6 +48,10 @@ fn steps_are_at_the_integer_itself() {
     for text in ["floor(4*xi)", "floor(-4*xi)", "ceil(4*xi)", "ceil(-4*xi)"] {
         assert_eq!(found(text).places, [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75], "{text}");
     }
+    // Half of the smallest number is zero, of which the ceiling is no step.
+    for text in ["ceil(0.5*xi)", "ceil(0.3*xi)", "floor(-0.5*xi)"] {
+        assert_eq!(found(text).places, [0.0], "{text}");
+    }
 }
 
 #[test]
