@@ -116,8 +116,10 @@ impl Residual<'_> {
             .map(|(((&x, potential), height), q)| {
                 let (w, error) = self.formed(x, height, q, potential);
                 // Of what may be off by the error.
-                let size = |w: f64, error: f64| {
-                    if is_inside { w.abs() + error } else { (error - w).max(0.0) }
+                let size = |w: f64, error: f64| match is_inside {
+                    _ if w.is_nan() || error.is_nan() => f64::INFINITY,
+                    true => w.abs() + error,
+                    false => (error - w).max(0.0),
                 };
                 // The answer's own pressure counts at a place, not the resampled one, which may bend there.
                 let own = if is_inside { w + (self.pressure)(x) - q.0 } else { w };

@@ -253,9 +253,9 @@ impl Contact {
         }
     }
 
-    /// `p0(xi)`, 0 outside the zones; points beyond the punch count as the nearer edge, NaN stays.
+    /// `p0(xi)`, 0 outside the zones; points beyond the punch count as the nearer edge, subnormal ones as the middle, NaN stays.
     pub(crate) fn pressure_at(&self, xi: f64) -> f64 {
-        let xi = xi.clamp(-1.0, 1.0);
+        let xi = if xi.is_subnormal() { 0.0 } else { xi.clamp(-1.0, 1.0) };
         self.singular_pressure(xi).unwrap_or_else(|| self.solution().pressure(xi))
     }
 

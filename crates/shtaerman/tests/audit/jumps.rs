@@ -86,6 +86,24 @@ fn a_step_in_the_middle() {
     }
 }
 
+/// Where the base may lift off a zone ends beside the step, and the pressure of the smallest numbers was that of no zone.
+#[test]
+fn a_step_in_the_middle_of_a_base_that_lifts_off() {
+    for profile in ["0.03*step(xi) + 0.1*xi^2", "-0.1*floor(1.4*xi) + 0.1*xi^2"] {
+        let toml = format!(
+            "[dimensionless]\ntheta0 = 0.3\nprofile = \"{profile}\"\nforce = 0.1\nmoment = 0.002\n"
+        );
+        let solved = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let contact = solved.audited().unwrap().dimensionless();
+        let stated = contact.error().unwrap();
+        assert_eq!(stated.kind, ErrorKind::Bound, "{profile}");
+        assert!(stated.pressure < 1e-11, "{profile}: {stated:?}");
+        let [beside, smallest] = [-1e-200, -5e-324].map(|xi| contact.pressure(xi).unwrap());
+        let at = contact.pressure(0.0).unwrap();
+        assert!(smallest == at || smallest == beside, "{profile}: {smallest} {at} {beside}");
+    }
+}
+
 /// A stepped disk under a settlement. The operator is symmetric, so its force is `delta P_1 - h int p_1 dA` over the step, with force and pressure of a flat disk that is pressed in by 1.
 #[test]
 fn stepped_disks() {
