@@ -85,13 +85,13 @@ pub use sweep::{LoadSweep, LoadSwept, Swept, SweptErrors, Theta0Sweep};
 pub use answer::convergence::{self, Convergence};
 #[doc(no_inline)]
 pub use answer::{
-    Answer, AuditFigures, AuditReport, Datum, ErrorReport, MethodReport, PhysicalOnly,
-    PressureCurve, Quantities, RelativeSettlement, SCHEMA, SurfaceCurve,
+    Answer, AuditFigures, AuditReport, CrossCheck, Datum, ErrorReport, MethodReport, PhysicalOnly,
+    PressureCurve, Quantities, ReferenceError, RelativeSettlement, SCHEMA, SurfaceCurve,
 };
 #[doc(no_inline)]
 pub use contact::{
-    Audit, Complementarity, CrossCheck, ErrorKind, Errors, Method, MethodName, ReferenceError,
-    Scaling, Stiffness, Unaudited, Warning, WarningCode,
+    Audit, Complementarity, ErrorKind, Errors, Method, MethodName, Scaling, Stiffness, Unaudited,
+    Warning, WarningCode,
 };
 #[doc(no_inline)]
 pub use load::{Rotational, Vertical};

@@ -1,10 +1,12 @@
 //! The answer as data: what the faces print and other programs read.
 
 pub mod convergence;
+mod cross_check;
 pub(crate) mod datum;
 mod sense;
 mod surface_curve;
 
+pub use cross_check::{CrossCheck, ReferenceError};
 pub use datum::{Datum, RelativeSettlement};
 pub(crate) use sense::wide_base;
 pub use surface_curve::SurfaceCurve;
@@ -12,8 +14,8 @@ pub use surface_curve::SurfaceCurve;
 use serde::Serialize;
 
 use crate::{
-    Audit, Complementarity, Contact, CrossCheck, Error, ErrorKind, Errors, Foundation, Law,
-    Scaling, Sensitivities, Unaudited, Warning,
+    Audit, Complementarity, Contact, Error, ErrorKind, Errors, Foundation, Law, Scaling,
+    Sensitivities, Unaudited, Warning,
 };
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.

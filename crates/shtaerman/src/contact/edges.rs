@@ -172,7 +172,7 @@ impl Step {
             for side in 0..2 {
                 let [was, now] = [&self.ends, ends].map(|ends| ends[j][side].value);
                 let kept = if was * now < 0.0 {
-                    (was / (was - now)).max(LEAST_KEPT)
+                    was / (was - now)
                 } else if now.abs() <= was.abs() && self.cuts == 1 {
                     1.0
                 } else {
@@ -185,9 +185,6 @@ impl Step {
         true
     }
 }
-
-/// The least share of a step that is kept where it is cut (survey).
-const LEAST_KEPT: f64 = 0.02;
 
 /// A value below this share of its scale changes with its own end alone (survey).
 const NEAR: f64 = 1e-2;

@@ -6,8 +6,8 @@ use crate::{Error, Problem};
 pub(super) const MOST_BREAKS: usize = 15;
 pub(super) const MOST_CUTS: usize = 40;
 /// Degree of the polynomials that show each part, and how well, as a share of the range of the heights (survey).
-pub(super) const DEGREE: usize = 128;
-pub(super) const RESOLVED: f64 = 1e-12;
+pub(crate) const DEGREE: usize = 128;
+pub(crate) const RESOLVED: f64 = 1e-12;
 /// The shortest of parts that are alike, over the mean. Half and twice change none of 4 answers (survey).
 const ALIKE: f64 = 0.25;
 

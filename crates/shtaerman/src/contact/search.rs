@@ -24,8 +24,6 @@ pub(super) const CORRECTIONS: usize = 16;
 const DOUBTFUL: f64 = 1e-2;
 /// How zones that vanished are narrowed for the next attempt. At half or twice 3 of 12 answers change, within what they state (survey).
 const NARROWER: f64 = 0.2;
-/// So often, before more nodes are taken (survey).
-const VANISHED: usize = 2;
 
 /// So many numbers of cells are tried (survey).
 const TOPOLOGIES: u32 = 3;
@@ -301,8 +299,6 @@ struct Progress {
     before: f64,
     /// The violation and the penetration that were corrected last.
     corrected: [f64; 2],
-    /// So many corrections in a row left the same penetration.
-    vanished: usize,
     /// Width of the zones that are put where the base penetrates, as a share of the interval where it does.
     width: f64,
 }
@@ -317,7 +313,7 @@ enum Next {
 
 impl Progress {
     fn new() -> Self {
-        Self { before: f64::INFINITY, corrected: [f64::INFINITY; 2], vanished: 0, width: 1.0 }
+        Self { before: f64::INFINITY, corrected: [f64::INFINITY; 2], width: 1.0 }
     }
 
     /// Too few nodes show tension where there is none, and more of them tell; a zone that came in too wide pulled and vanished again, and leaves the same penetration.
@@ -330,8 +326,8 @@ impl Progress {
         // What a correction leaves as it was is none of the zones.
         let is_doubtful = is_same(violation, worst)
             || (worst < DOUBTFUL || left.is_between_nodes) && worst < SLOW * self.before;
-        self.vanished = if vanished { self.vanished + 1 } else { 0 };
-        let narrows = vanished && self.vanished < VANISHED;
+        // Narrower ones are tried once before more nodes are.
+        let narrows = vanished && self.width == 1.0;
         if is_doubtful && !narrows && can_be_finer() {
             self.before = worst;
             return Next::Finer;

@@ -5,7 +5,7 @@ use super::accuracy::{ROUNDING, SAFETY};
 /// Distance between the places beside a break where heights are compared; also the slit at which a wave without gaps is cut (survey).
 pub(super) const BESIDE: f64 = 1e-9;
 /// How far inside its side of a step a place is looked at, as a share of the base or of a zone.
-pub(super) const INSIDE: f64 = 1e-12;
+pub(crate) const INSIDE: f64 = 1e-12;
 /// As far from a break heights are looked at.
 pub(super) const REACH: f64 = 3.0 * BESIDE;
 

@@ -22,7 +22,7 @@ pub(in crate::contact) mod of_problem;
 mod row;
 mod shared;
 
-pub(in crate::contact) use shared::layered_plane;
+pub(crate) use shared::layered_plane;
 
 use std::fmt::Debug;
 use std::sync::Arc;

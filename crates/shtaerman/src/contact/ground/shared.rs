@@ -84,7 +84,7 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
 ///
 /// # Errors
 /// [`Error::Equation`] for a transfer function that is not finite.
-pub(in crate::contact) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
+pub(crate) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
     cached(&KNOWN_PLANES, layering.clone(), always, || {
         let owned = layering.clone();
         let transfer = move |u| owned.transfer(u);

@@ -6,10 +6,10 @@ use shtaerman_reference::{
     Vertical as Pressed,
 };
 
-use super::ground::layered_plane;
-use super::parts::{DEGREE, RESOLVED};
-use super::steps::INSIDE;
-use super::{Accuracy, Contact, ErrorKind};
+use crate::contact::layered_plane;
+use crate::contact::parts::{DEGREE, RESOLVED};
+use crate::contact::steps::INSIDE;
+use crate::contact::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Scaling, Vertical};
 
@@ -135,7 +135,7 @@ impl Part {
 
 /// `sin phi` of a place `c + b cos phi` in its zone: on a smooth surface the error of the pressure is stated for the middle and grows as one over that; 1 beside the zones.
 fn middle(contact: &Contact, xi: f64) -> f64 {
-    let zones = contact.solution().zones();
+    let zones = contact.dimensionless().zones();
     let zone = zones.iter().find(|[left, right]| *left <= xi && xi <= *right);
     zone.map_or(1.0, |[left, right]| 2.0 * ((xi - left) * (right - xi)).sqrt() / (right - left))
 }
@@ -228,10 +228,10 @@ impl<'a> Posing<'a> {
     fn compare(&self, contact: &Contact) -> Result<CrossCheck, Refusal> {
         let posed = self.posed();
         let Kernel::Disk { exponent, .. } = self.kernel else {
-            let found = solve(&posed, &contact.solution().zones())?;
+            let found = solve(&posed, &contact.dimensionless().zones())?;
             return Ok(self.judge(contact, &Found::new(&found, &|xi| found.pressure(xi))));
         };
-        let zones: Vec<[f64; 2]> = (contact.solution().zones().into_iter())
+        let zones: Vec<[f64; 2]> = (contact.dimensionless().zones().into_iter())
             .filter(|[_, right]| *right > 0.0)
             .map(|[left, right]| [left.max(0.0), right])
             .collect();
@@ -292,15 +292,15 @@ impl<'a> Posing<'a> {
             size,
         };
         let (settlement, level) = contact.solved_settlement();
-        let state = contact.state();
+        let bare = contact.dimensionless();
         let settlement = (found.settlement - settlement) + (self.level - level);
         let (pressure, pressure_at) = self.pressures(contact, found, stated.pressure);
         let parts = [
             pressure,
             part("settlement", settlement, stated.settlement, own.settlement, moved),
-            part("tilt", found.tilt - state.tilt, stated.tilt, own.tilt, moved),
-            part("force", found.force - state.force, stated.force, own.force, pressed),
-            part("moment", found.moment - state.moment, stated.moment, own.moment, pressed),
+            part("tilt", found.tilt - bare.tilt(), stated.tilt, own.tilt, moved),
+            part("force", found.force - bare.force(), stated.force, own.force, pressed),
+            part("moment", found.moment - bare.moment(), stated.moment, own.moment, pressed),
         ];
         let [pressure, settlement, tilt, force, moment] = &parts;
         CrossCheck {
@@ -348,7 +348,7 @@ impl<'a> Posing<'a> {
     fn places(&self, contact: &Contact) -> Vec<f64> {
         let place = |i: u32| 2.0 * f64::from(i) / f64::from(EVENLY) - 1.0;
         let mut places: Vec<f64> = (0..=EVENLY).map(place).chain([0.0]).collect();
-        for [left, right] in contact.solution().zones() {
+        for [left, right] in contact.dimensionless().zones() {
             let reach = 0.45 * (right - left);
             let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };
             let beside = (0..=nearest).map(|k| reach * 0.1f64.powi(k as i32));
