@@ -321,9 +321,8 @@ fn moved<E: Equation>(
             strides.are_all &= step <= -most;
             let step = step.clamp(-most, (0.5 * gap).min(length));
             let to = if side == 0 { at - step } else { at + step };
-            let wall = equation.walls().beyond(side, zone.middle());
-            let is_beyond = if side == 0 { to <= wall } else { to >= wall };
-            if is_beyond {
+            let wall = equation.walls().crossed(side, [at, to]);
+            if let Some(wall) = wall {
                 (moved.ends[side], moved.kinds[side]) = (wall, EndKind::Wall);
             } else {
                 moved.ends[side] = to;

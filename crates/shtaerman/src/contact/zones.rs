@@ -217,6 +217,16 @@ impl Walls {
         }
     }
 
+    /// The wall at which a left (0) or right (1) end rests that moves from one place to another: the first that it meets, the end of the base at the latest. What it may have passed before holds it no more.
+    pub(super) fn crossed(&self, side: usize, [at, to]: [f64; 2]) -> Option<f64> {
+        let (first, last) = (at.min(to), at.max(to));
+        let walls = self.places[side].iter().chain([&self.outermost[side]]).copied();
+        let is_outwards = (to > at) == (side == 1);
+        let met =
+            walls.filter(|wall| first <= *wall && *wall <= last && (is_outwards || *wall != at));
+        met.min_by(|a, b| (a - at).abs().total_cmp(&(b - at).abs()))
+    }
+
     /// The wall for a left (0) or right (1) end this close outwards of a place.
     pub(super) fn near(&self, side: usize, at: f64, distance: f64) -> Option<f64> {
         let outwards = |wall: f64| if side == 0 { at - wall } else { wall - at };
