@@ -141,6 +141,12 @@ impl<'o, D: Discrete> Newton<'o, D> {
             let step = self.on.solve(&inverse, task)?;
             match self.shortened(&trial, &step, is_blind, &scales) {
                 Some(next) => trial = next,
+                // Where the first step is no guide, the settlement begins with what leaves nothing in the mean.
+                None if is_blind && self.on.nodes().frame.is_by_force() => {
+                    let Trial { layer, local, residual, .. } = trial;
+                    let mean = residual.iter().sum::<f64>() / residual.len() as f64;
+                    trial = self.trial(layer, [local[0] - mean, local[1]], &scales)?;
+                }
                 None if left <= small => return self.found(trial),
                 None => break,
             }
