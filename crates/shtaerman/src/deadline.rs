@@ -10,8 +10,8 @@ pub(crate) mod work {
     pub(crate) const MOST: f64 = 0.95e11;
     pub(crate) const POINTS: f64 = 1000.0;
     /// Of a step on panels for each node, and for each of a product.
-    pub(crate) const NODE: f64 = 2e5;
-    pub(crate) const PRODUCT: f64 = 1.5e4;
+    pub(crate) const NODE: f64 = 1.4e5;
+    pub(crate) const PRODUCT: f64 = 1.05e4;
     /// So many pairs of nodes that are near to each other take as long as a node (survey: 40 to 300 a node, up to 5800 where they crowd).
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.

@@ -65,3 +65,37 @@ fn a_pressure_that_rises_towards_a_step_ends_there() {
         assert!(audited.relative_error() < 1e-5, "{theta0}: {:e}", audited.relative_error());
     }
 }
+
+fn disk(extra: &str, profile: &str, load: &str) -> shtaerman::Contact {
+    let toml = format!(
+        "[dimensionless]\n{extra}\ngeometry = \"circular\"\nprofile = \"{profile}\"\n{load}\nmoment = 0\n"
+    );
+    shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap()
+}
+
+/// Shoulders that are steep at their foot: the contact ends a little beyond it, and not at it. Ends and settlements by product integration with Newton's method for the edge, written by another.
+#[test]
+fn a_contact_reaches_over_a_steep_shoulder() {
+    for (theta0, foot, height, power, force, edge, settlement) in [
+        (87.87, 0.297, 0.4234, 0.5, 1e-3, 0.309_688_721_722, 0.236_831_291_678),
+        (87.87, 0.297, 0.4234, 0.7, 1e-3, 0.408_075_137_728, 0.217_189_295_721_769),
+    ] {
+        let profile = format!("{height}*max(0, abs(xi) - {foot})^{power}");
+        let contact = disk(&format!("theta0 = {theta0}"), &profile, &format!("force = {force}"));
+        let contact = contact.dimensionless();
+        assert_near(contact.zones()[0][1], edge, 2e-12);
+        assert_near(contact.settlement(), settlement, 2e-12);
+    }
+}
+
+/// A bent layer under waves, where the first step from a uniform pressure is no guide. With the settlement given there is none to be guessed: the force has to come back.
+#[test]
+fn a_bent_layer_under_waves_on_a_disk() {
+    for force in [0.0018, 0.00182, 0.002, 0.0022] {
+        let of = |load: &str| disk("theta0 = 257.5\nexponent = 0.5", "0.7544*cos(19.4*xi)", load);
+        let pressed = of(&format!("force = {force}"));
+        let settlement = pressed.dimensionless().settlement();
+        let back = of(&format!("settlement = {settlement:e}")).dimensionless().force();
+        assert_near(back / force, 1.0, 1e-10);
+    }
+}
