@@ -157,10 +157,7 @@ pub enum Error {
     NoContact,
 
     /// A circular punch lifts off on one side.
-    #[error(
-        "{field} = {}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}; \
-         contact = \"bilateral\" lets the pressure pull instead", plain(*value), plain(*limit)
-    )]
+    #[error("{}", lifts_off(field, *value, *limit))]
     LiftsOff {
         /// `moment`, `eccentricity` or `tilt`.
         field: &'static str,
@@ -497,4 +494,17 @@ impl From<fredholm::Error> for Error {
     fn from(error: fredholm::Error) -> Self {
         Self::Equation(error)
     }
+}
+/// What is said of a circular punch that leans.
+fn lifts_off(field: &str, value: f64, limit: f64) -> String {
+    let value = plain(value);
+    let reason = if limit == 0.0 {
+        "the circular base does not touch as a whole without it, and a contact that is no full disk is solved under a central load only (moment = 0)".to_owned()
+    } else {
+        format!(
+            "the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}",
+            plain(limit)
+        )
+    };
+    format!("{field} = {value}: {reason}; contact = \"bilateral\" lets the pressure pull instead")
 }
