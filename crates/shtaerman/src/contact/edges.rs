@@ -322,7 +322,12 @@ fn moved<E: Equation>(
             let step = step.clamp(-most, (0.5 * gap).min(length));
             let to = if side == 0 { at - step } else { at + step };
             let wall = equation.walls().crossed(side, [at, to]);
-            if let Some(wall) = wall {
+            // A hole about the axis that is not closed yet shrinks step by step, as a gap does: what closes at once leaves nothing to tell that it was too much.
+            let is_hole = |wall: f64| equation.zone([wall, zone.right()]).kinds[0] == EndKind::Axis;
+            let shrinks = side == 0 && at > CLOSE * length && wall.is_some_and(is_hole);
+            if shrinks {
+                moved.ends[side] = STRIDE * STRIDE * at;
+            } else if let Some(wall) = wall {
                 (moved.ends[side], moved.kinds[side]) = (wall, EndKind::Wall);
             } else {
                 moved.ends[side] = to;

@@ -99,3 +99,29 @@ fn a_bent_layer_under_waves_on_a_disk() {
         assert_near(back / force, 1.0, 1e-10);
     }
 }
+
+/// Holes about the axis that are about to close at a tip, a cone or the inner side of a torus. The settlement rises with the force by the compliance that each contact states, by Simpson's rule.
+#[test]
+fn holes_that_are_about_to_close() {
+    for (theta0, profile, from, by, hole) in [
+        (20.0, "-abs(xi)^0.5", 1.04, 0.02, 1e-4),
+        (20.0, "-abs(xi)", 0.3974, 5e-5, 2e-5),
+        (5.0, "(abs(xi) - 0.4)^2", 0.2838, 1e-5, 5e-6),
+    ] {
+        let of =
+            |force: f64| disk(&format!("theta0 = {theta0}"), profile, &format!("force = {force}"));
+        let contacts = [0.0, 0.5, 1.0].map(|share| of(from + share * by).dimensionless());
+        let [first, _, last] = &contacts;
+        for contact in &contacts {
+            let inner = contact
+                .zones()
+                .iter()
+                .map(|zone| zone[0])
+                .fold(1.0, |least, end| if end > 0.0 { end.min(least) } else { least });
+            assert!(inner > hole && inner < 4.0 * hole, "{profile}: {:?}", contact.zones());
+        }
+        let [a, b, c] = [0, 1, 2].map(|k: usize| 1.0 / contacts[k].stiffness().force_settlement);
+        let risen = last.settlement() - first.settlement();
+        assert_near(risen / (by * (a + 4.0 * b + c) / 6.0), 1.0, 1e-7);
+    }
+}
