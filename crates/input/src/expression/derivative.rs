@@ -57,13 +57,10 @@ impl Value for Dual {
             Binary::Power => power_slope(u, v, value),
             Binary::Minimum if u.value == v.value => u.slope.min(v.slope),
             Binary::Maximum if u.value == v.value => u.slope.max(v.slope),
-            Binary::Minimum | Binary::Maximum => {
-                if value == u.value {
-                    u.slope
-                } else {
-                    v.slope
-                }
-            }
+            // The side that is taken, which may be a constant: under a root of it there is no slope.
+            Binary::Minimum | Binary::Maximum if value == u.value => return u,
+            Binary::Minimum | Binary::Maximum if value == v.value => return v,
+            Binary::Minimum | Binary::Maximum => f64::NAN,
             Binary::Hypot if value == 0.0 => u.slope.hypot(v.slope),
             Binary::Hypot => partial(u.value / value, u) + partial(v.value / value, v),
             Binary::Atan2 => {

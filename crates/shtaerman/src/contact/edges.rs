@@ -321,7 +321,13 @@ fn moved<E: Equation>(
             strides.are_all &= step <= -most;
             let step = step.clamp(-most, (0.5 * gap).min(length));
             let to = if side == 0 { at - step } else { at + step };
-            let wall = equation.walls().crossed(side, [at, to]);
+            let walls = equation.walls();
+            let wall = if equation.spans_steps() {
+                walls.crossed(side, [at, to])
+            } else {
+                let wall = walls.beyond(side, zone.middle());
+                Some(wall).filter(|wall| if side == 0 { to <= *wall } else { to >= *wall })
+            };
             // A hole about the axis that is not closed yet shrinks step by step, as a gap does: what closes at once leaves nothing to tell that it was too much.
             let is_hole = |wall: f64| equation.zone([wall, zone.right()]).kinds[0] == EndKind::Axis;
             let shrinks = side == 0 && at > CLOSE * length && wall.is_some_and(is_hole);

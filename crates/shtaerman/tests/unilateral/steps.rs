@@ -125,3 +125,33 @@ fn holes_that_are_about_to_close() {
         assert_near(risen / (by * (a + 4.0 * b + c) / 6.0), 1.0, 1e-7);
     }
 }
+
+/// A shoulder far from the contact: where its power is below 1 the root of what is 0 there had a slope that was no number.
+#[test]
+fn a_shoulder_that_is_not_reached_changes_nothing() {
+    let of = |profile: &str| {
+        let toml = format!(
+            "[foundation]\nyoung_modulus = \"1 GPa\"\npoisson_ratio = 0.3\nroughness = 0\n[punch]\nhalf_width = 1\nprofile = \"{profile}\"\n[load]\nforce = \"1 MN/m\"\nmoment = 0\n"
+        );
+        shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap().dimensionless()
+    };
+    let plain = of("0.1*x^2");
+    for shoulder in
+        ["max(0, abs(x) - 0.7)^0.5", "sqrt(max(abs(x) - 0.7, 0))", "max(0, abs(x) - 0.7)^0.9"]
+    {
+        let contact = of(&format!("0.1*x^2 + 0.05*{shoulder}"));
+        assert_near(contact.zones()[0][1] / plain.zones()[0][1], 1.0, 1e-13);
+        assert_near(contact.settlement() / plain.settlement(), 1.0, 1e-13);
+    }
+}
+
+/// The outer end of a ring on a smooth surface stays at the step that the base has there.
+#[test]
+fn a_ring_ends_at_a_step() {
+    let toml = "[foundation]\nyoung_modulus = \"1 Pa\"\npoisson_ratio = 0.3\nroughness = 0\n[punch]\ngeometry = \"circular\"\nradius = 1\nprofile = \"0.02942*r^2+0.002278*abs(r-0.5385)+0.00191*(r > 0.4254)-0.01179*r^0.5\"\n[load]\nforce = 0.008\nmoment = 0\n";
+    let contact = shtaerman::file::parse(toml, "test").unwrap().solve().unwrap();
+    let zones = contact.dimensionless().zones();
+    let [inner, outer] = zones[zones.len() - 1];
+    assert!((inner - 0.098_214_149).abs() < 1e-8, "{zones:?}");
+    assert_eq!(outer, 0.4254);
+}
