@@ -328,11 +328,14 @@ fn moved<E: Equation>(
                 let wall = walls.beyond(side, zone.middle());
                 Some(wall).filter(|wall| if side == 0 { to <= *wall } else { to >= *wall })
             };
-            // A hole about the axis that is not closed yet shrinks step by step, as a gap does: what closes at once leaves nothing to tell that it was too much.
+            // An end that goes back inwards to a wall, or a hole about the axis that closes, comes there by parts, as to a gap: what is there at once leaves nothing to tell that it was too much.
             let is_hole = |wall: f64| equation.zone([wall, zone.right()]).kinds[0] == EndKind::Axis;
-            let shrinks = side == 0 && at > CLOSE * length && wall.is_some_and(is_hole);
-            if shrinks {
-                moved.ends[side] = STRIDE * STRIDE * at;
+            let by_parts = |wall: f64| {
+                let is_far = (at - wall).abs() > CLOSE * length;
+                is_far && (step < 0.0 || (side == 0 && is_hole(wall)))
+            };
+            if let Some(wall) = wall.filter(|wall| by_parts(*wall)) {
+                moved.ends[side] = wall + STRIDE * STRIDE * (at - wall);
             } else if let Some(wall) = wall {
                 (moved.ends[side], moved.kinds[side]) = (wall, EndKind::Wall);
             } else {
