@@ -98,3 +98,30 @@ fn a_profile_with_noise_in_many_zones() {
     assert!((force - 0.2).abs() < 1e-3 * 0.2, "{force}");
     assert!((moment - 0.05).abs() < 1e-3 * 0.05, "{moment}");
 }
+
+/// A constant that is added and taken away again costs digits, and nothing more: panels are not cut for what is rounding.
+#[test]
+fn heights_that_are_rounded() {
+    let of = |constant: f64| {
+        let terms = (1..=20).map(|k| {
+            let k = f64::from(k);
+            format!("{:.4}*cos({k}*pi*xi + {:.2})", 1.0 / k, (k * k) % std::f64::consts::TAU)
+        });
+        let waves: Vec<String> = terms.collect();
+        let toml = format!(
+            "[dimensionless]\ntheta0 = 2750\ngeometry = \"periodic\"\nperiod = 2\nprofile = \"{constant} + {} - {constant}\"\nforce = 0.003\ntilt = 0\n",
+            waves.join(" + ")
+        );
+        shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap()
+    };
+    let [plain, rounded] = [0.0, 100.0].map(of);
+    assert!(rounded.method().n < 2 * plain.method().n, "{:?}", rounded.method());
+    let relative = rounded.relative_error();
+    assert!(relative > 1e-12 && relative < 1e-7, "{relative:e}");
+    let peak = plain.dimensionless().peak_pressure();
+    for xi in (0..400).map(|i| f64::from(i) / 200.0 - 1.0) {
+        let [one, other] =
+            [&plain, &rounded].map(|contact| contact.dimensionless().pressure(xi).unwrap());
+        assert!((one - other).abs() <= (plain.relative_error() + relative) * peak, "{xi}");
+    }
+}

@@ -86,6 +86,16 @@ impl Surface {
         self.setting.problem().dimensionless_profiles(&on_base)
     }
 
+    /// What rounding may make of a height; of one above its tangent nothing.
+    pub(super) fn rounding(&self, xi: f64) -> f64 {
+        if self.tangent.is_some() {
+            return 0.0;
+        }
+        let (problem, xi) = (self.setting.problem(), self.on_base(xi));
+        let rounding = problem.profile().rounding(xi, problem.bodies().half_width());
+        rounding / problem.bodies().unit(Scaling::displacement)
+    }
+
     /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));

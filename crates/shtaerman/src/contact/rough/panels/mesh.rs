@@ -228,21 +228,33 @@ fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
     pieces
 }
 
-/// Whether the polynomial through so many Chebyshev points shows the profile between them.
+/// Places of a panel, from -1 to 1, at which its polynomial is held against the profile (survey).
+const BETWEEN: [f64; 5] = [-0.97, -0.6, 0.13, 0.71, 0.99];
+
+/// Whether the polynomial through so many Chebyshev points shows the profile between them, but for what rounding makes of heights.
 fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
     let Fineness { order, straight, .. } = fineness;
-    let height = |y: f64| base.height(0.5 * (left + right) + 0.5 * (right - left) * y);
+    let middle = 0.5 * (left + right);
     let points = (0..order).map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos());
-    let points: Vec<(f64, f64)> = points.map(|y| (y, height(y))).collect();
-    let largest = points.iter().fold(0.0f64, |most, (_, height)| most.max(height.abs()));
-    [-0.97, -0.6, 0.13, 0.71, 0.99].into_iter().all(|y| {
+    let points: Vec<f64> = points.collect();
+    let places = points.iter().chain(&BETWEEN).map(|y| middle + 0.5 * (right - left) * y);
+    let heights = base.surface.heights(&places.collect::<Vec<_>>());
+    let (known, between) = heights.split_at(order);
+    let largest = known.iter().fold(0.0f64, |most, height| most.max(height.abs()));
+    let deviation = |(y, height): (&f64, &f64)| {
         let (mut above, mut below) = (0.0, 0.0);
-        for (k, (point, height)) in points.iter().enumerate() {
+        for (k, (point, height)) in points.iter().zip(known).enumerate() {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
             let weight = sign * (1.0 - point * point).sqrt() / (y - point);
             above += weight * height;
             below += weight;
         }
-        (above / below - height(y)).abs() <= straight * largest * order as f64
+        (above / below - height).abs()
+    };
+    let mut deviations = BETWEEN.iter().zip(between).map(deviation);
+    let allowed = straight * largest * order as f64;
+    let noise = std::cell::OnceCell::new();
+    deviations.all(|deviation| {
+        deviation <= allowed || deviation <= *noise.get_or_init(|| base.surface.rounding(middle))
     })
 }
