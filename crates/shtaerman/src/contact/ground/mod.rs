@@ -90,7 +90,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
 
     /// What the kernel for two places takes, as work.
     fn entry(&self) -> f64 {
-        if self.is_disk() { work::RING } else { work::ENTRY }
+        match (self.is_disk(), self.exponent() > 0.0) {
+            (false, _) => work::ENTRY,
+            (true, false) => work::RING,
+            (true, true) => work::RING_OF_POWER,
+        }
     }
 
     /// `mu` of `E ~ y^mu`, and of the singularity of a plane kernel.

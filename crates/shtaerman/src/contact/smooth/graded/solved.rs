@@ -19,6 +19,7 @@ use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
 use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
+use crate::deadline::work;
 
 /// What the elimination of coupled zones leaves in the densities at their ends, relative to them: beside the width of `0.449*step(x+0.5295)+0.497*x^2` (`mu = 0.141`, force 1.57516) differences of solutions show 2e-11. At half or twice 9 of 14 answers change, within what they state (survey).
 const COUPLED: f64 = 1e-10;
@@ -245,6 +246,10 @@ impl Pressure for Solved {
 
     fn unknowns(&self) -> usize {
         self.strips.iter().map(Strip::size).sum()
+    }
+
+    fn terms(&self) -> usize {
+        work::TERMS_OF_POWER * self.unknowns()
     }
 
     fn coupled(&self) -> usize {
