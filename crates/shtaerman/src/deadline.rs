@@ -20,7 +20,7 @@ pub(crate) mod work {
     pub(crate) const CELLS: f64 = 1.6;
     /// Of what a place does to another on a rough surface, where it is a ring, where its kernel is a power, and where it lies on a layered body, of which the potential counts as well.
     pub(crate) const ENTRY: f64 = 100.0;
-    pub(crate) const RING: f64 = 1000.0;
+    pub(crate) const RING: f64 = 1500.0;
     pub(crate) const RING_OF_POWER: f64 = 4000.0;
     pub(crate) const LAYERED_RING: f64 = 20_000.0;
     /// So many times the cube of the modes of a zone for what it does to itself and to another.

@@ -62,17 +62,18 @@ pub(super) struct Sizes {
     pub(super) pressure: f64,
     /// Larger of `|delta0|` and `|alpha0|`.
     pub(super) displacement: f64,
-    /// Larger of `|P0|` and `|M0|`.
+    /// Larger of `|P0|` and `|M0|`; where nothing presses, and pressures of both signs balance on a base that is kept in contact, no less than `|p0|`.
     pub(super) force: f64,
 }
 
 impl State {
     /// Sizes of this state with so large a pressure.
     pub(super) fn sizes(&self, pressure: f64) -> Sizes {
+        let balanced = if self.force == 0.0 { pressure } else { 0.0 };
         Sizes {
             pressure,
             displacement: self.settlement.abs().max(self.tilt.abs()),
-            force: self.force.abs().max(self.moment.abs()),
+            force: self.force.abs().max(self.moment.abs()).max(balanced),
         }
     }
 }

@@ -65,3 +65,20 @@ fn a_narrow_bump_beside_the_middle_tilts_the_punch() {
     let contact = solve(theta0, &profile, force_and_moment(1.0, 0.0));
     assert_near(contact.dimensionless().tilt() / (-response / moment_tilt), 1.0, 1e-6, "tilt");
 }
+
+/// Neither force nor moment: their errors are held against the pressures of both signs that balance. What is added to an even base has no moment, and the stiffness does not change.
+#[test]
+fn a_base_that_nothing_presses() {
+    let load = shtaerman::Load::force(0.0).unwrap().with_tilt(0.0).unwrap();
+    for theta0 in [0.1, 6.0, 300.0] {
+        let balanced = solve(theta0, "xi^2", load);
+        assert!(balanced.relative_error() < 1e-10, "{:e}", balanced.relative_error());
+        let pressed = solve(theta0, "xi^2", force_and_moment(2.0, 0.0));
+        let plain = solve(theta0, "0", force_and_moment(2.0, 0.0));
+        let of = |contact: &Contact, xi: f64| contact.dimensionless().pressure(xi).unwrap();
+        for xi in [-1.0, -0.6, 0.0, 0.3, 0.99] {
+            let sum = of(&balanced, xi) + of(&plain, xi);
+            assert_near(of(&pressed, xi) / sum, 1.0, 1e-10, "xi^2");
+        }
+    }
+}
