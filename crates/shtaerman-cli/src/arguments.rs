@@ -338,7 +338,7 @@ pub struct EquationArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
     /// End with exit code 3 when there is no solution after this time, such as "10 s".
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub time_limit: Option<String>,
     #[command(flatten)]
     /// The result.

@@ -4,36 +4,36 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-/// What a search does, in cubes of the numbers of unknowns of dense systems, 15 ps each (survey: the 40 problems that took longest among 800 plausible ones took 7 to 25 ps for each).
+/// What a search does, in cubes of the numbers of unknowns of dense systems, some 10 to 15 ps each (survey: what takes longest among 800 plausible problems, and among 200,000 random ones).
 pub(crate) mod work {
     /// What a search may do, some five seconds, and as much again for so many measured points.
     pub(crate) const MOST: f64 = 3.2e11;
     pub(crate) const POINTS: f64 = 1000.0;
     /// Of a step on panels for each node, and for each of a product.
-    pub(crate) const NODE: f64 = 8e5;
-    pub(crate) const PRODUCT: f64 = 6e4;
+    pub(crate) const NODE: f64 = 4.7e5;
+    pub(crate) const PRODUCT: f64 = 3.5e4;
     /// So many pairs of nodes that are near to each other take as long as a node (survey: 40 to 300 a node, up to 5800 where they crowd).
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 1.5;
     /// Of a system on cells for each cube: the definite way is tried before the general one, and memory is asked for anew.
-    pub(crate) const CELLS: f64 = 1.6;
+    pub(crate) const CELLS: f64 = 5.4;
     /// Of what a place does to another on a rough surface, where it is a ring, where its kernel is a power, and where it lies on a layered body, of which the potential counts as well.
-    pub(crate) const ENTRY: f64 = 100.0;
-    pub(crate) const RING: f64 = 1500.0;
+    pub(crate) const ENTRY: f64 = 340.0;
+    pub(crate) const RING: f64 = 1700.0;
     pub(crate) const RING_OF_POWER: f64 = 4000.0;
-    pub(crate) const LAYERED_RING: f64 = 20_000.0;
-    /// So many times the cube of the modes of a zone for what it does to itself and to another.
+    pub(crate) const LAYERED_RING: f64 = 67_000.0;
+    /// So many times the cube of the modes on a smooth surface; of a zone so many times that for what it does to itself and to another, and of what a node of a ring does to another.
+    pub(crate) const SPECTRAL: f64 = 3.4;
     pub(crate) const MODES: f64 = 8.0;
-    /// Of what a node of a ring does to another on a smooth surface.
-    pub(crate) const RINGS: f64 = 3000.0;
+    pub(crate) const RINGS: f64 = 6000.0;
     /// Of a term of a sum for the pressure of a smooth surface, or for its displacement, at a place where it is looked at.
-    pub(crate) const TERM: f64 = 50.0;
+    pub(crate) const TERM: f64 = 170.0;
     /// So many times as much where terms are powers.
-    pub(crate) const TERMS_OF_POWER: usize = 40;
+    pub(crate) const TERMS_OF_POWER: usize = 12;
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
-    pub(crate) const SLOPE: f64 = 3200.0;
-    pub(crate) const DERIVATIVE: f64 = 10_000.0;
+    pub(crate) const SLOPE: f64 = 11_000.0;
+    pub(crate) const DERIVATIVE: f64 = 34_000.0;
     /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
     pub(crate) const DERIVATIVES: u32 = 20_000;
 }

@@ -44,7 +44,7 @@ pub struct ProblemArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
     /// End with exit code 3 when there is no answer after this time, such as "10 s"; `solve` shows the best so far then. In place of the key `solver.time_limit`.
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub time_limit: Option<String>,
 }
 

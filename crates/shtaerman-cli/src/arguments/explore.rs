@@ -17,7 +17,7 @@ pub struct ExploreArguments {
     #[arg(long)]
     pub no_browser: bool,
     /// How long a solve may take, such as "30 s"; what takes twice as long is ended.
-    #[arg(long, value_name = "TIME", default_value = "10 s")]
+    #[arg(long, value_name = "TIME", default_value = "10 s", allow_hyphen_values = true)]
     pub time_limit: String,
     /// Be a process that computes for the page.
     #[arg(long, hide = true, conflicts_with_all = ["file", "port", "no_browser"])]

@@ -36,7 +36,7 @@ pub struct SweepArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
     /// Time that each case may take, such as "10 s"; one that takes more has no answer. In place of the key `solver.time_limit`, and a part of the study as that is.
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub time_limit: Option<String>,
     /// Compute only the i-th of N shares of the parts, such as 2/4; the shares fill one folder, or several that are then copied together.
     #[arg(long, value_name = "I/N")]

@@ -77,13 +77,13 @@ pub(super) fn require_degenerate_kernel(
 /// How long a search may take.
 fn time_limit_of(field: &Field<'_>) -> Result<Duration, Error> {
     let seconds = field.quantity(Dimension::TIME)?;
-    match Duration::try_from_secs_f64(seconds) {
-        Ok(limit) if !limit.is_zero() => Ok(limit),
-        _ => {
-            let message = format!("is {seconds} s: must be greater than 0, like \"10 s\"");
-            Err(field.error(message).into())
-        }
+    if seconds.is_nan() || seconds <= 0.0 {
+        let message = format!("is {seconds} s: must be greater than 0, like \"10 s\"");
+        return Err(field.error(message).into());
     }
+    // Longer than a duration holds is no limit, and the shortest is that of its unit.
+    let limit = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
+    Ok(limit.max(Duration::from_nanos(1)))
 }
 
 /// A degree whose solve fits into memory.

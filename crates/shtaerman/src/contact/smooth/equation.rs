@@ -56,7 +56,7 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
     let solved = equation.on_zones(zones, detail)?;
     let (count, is_disk) = (solved.coupled() as f64, equation.base().ground.is_disk());
     let own = if is_disk { work::RINGS } else { work::MODES * count / zones.len() as f64 };
-    equation.deadline().spend(count * count * (count + own));
+    equation.deadline().spend(work::SPECTRAL * count * count * (count + own));
     Ok(solved)
 }
 
