@@ -113,6 +113,12 @@ fn what_is_no_time_is_refused() {
         let said = run.refusal();
         assert!(said.contains("--time-limit") && said.contains(says), "{said}");
     }
+    let folder = Folder::with(UNILATERAL);
+    let run = folder.run(&["solve", "punch.toml", "--time-limit", "-1 s"]);
+    let said = run.refusal();
+    assert!(said.contains("greater than 0"), "{said}");
+    let run = folder.run(&["solve", "punch.toml", "--time-limit", "1e20 h"]);
+    assert_eq!(run.code, Some(0), "longer than any clock tells is no limit");
     for value in ["0", "\"-3 s\"", "\"3 m\"", "true", "nan"] {
         let folder = Folder::with(&format!("{UNILATERAL}\n[solver]\ntime_limit = {value}\n"));
         let run = folder.run(&["solve", "punch.toml"]);
