@@ -8,6 +8,8 @@ use super::setting::Setting;
 use crate::roughness::Law;
 use crate::{Geometry, Problem, Scaling};
 
+/// The share of the work of a search that the smooth companion may take, half a second: it comes beside an answer (survey).
+const COMPANION: f64 = 0.125;
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
 const FEW_ZONES: usize = 4;
@@ -46,7 +48,7 @@ impl Contact {
     /// for each of its zones, 0 at free ends.
     ///
     /// Within 1 % of the pressure of a flat punch from `theta0 = 40` under a force, 110 under a moment. `None` unless the layer is linear
-    /// and the geometry one strip, a pair or a row on a homogeneous body, and where the companion has no solution (a step in the base of a bilateral contact).
+    /// and the geometry one strip, a pair or a row on a homogeneous body, and where the companion has no solution (a step in the base of a bilateral contact), or none within half a second.
     #[must_use]
     pub fn implied_edge_pressures(&self) -> Option<Vec<[f64; 2]>> {
         let problem = self.problem();
@@ -66,7 +68,7 @@ impl Contact {
 fn without_roughness(problem: &Problem) -> Option<Vec<[f64; 2]>> {
     let companion = companion(problem)?;
     // Within a time of its own.
-    let timed = companion.timed().unwrap_or(companion);
+    let timed = companion.timed_for(COMPANION).unwrap_or(companion);
     let found = Setting::new(&timed).without_layer().ok();
     let smooth = found.filter(|_| !timed.deadline().is_past())?;
     timed.deadline().lift();
