@@ -93,7 +93,12 @@ impl Surface {
         }
         let (problem, xi) = (self.setting.problem(), self.on_base(xi));
         let rounding = problem.profile().rounding(xi, problem.bodies().half_width());
-        rounding / problem.bodies().unit(Scaling::displacement)
+        // An enclosure without an end says nothing of it.
+        if rounding.is_finite() {
+            rounding / problem.bodies().unit(Scaling::displacement)
+        } else {
+            0.0
+        }
     }
 
     /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
