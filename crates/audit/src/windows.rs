@@ -2,6 +2,7 @@
 
 use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{MOST, lebesgue, nodes};
+use crate::effort::RANGE;
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
 use crate::places::{Places, middle};
@@ -159,6 +160,7 @@ impl Residual<'_> {
         if from == 0.0 {
             self.profile.heights(&places, &mut heights[..count]);
         } else {
+            self.density.count(RANGE * count as u64);
             for (height, x) in heights.iter_mut().zip(&places) {
                 let between = [x.next_down().max(left), x.next_up().min(right)];
                 *height = self.profile.range(between);
