@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod beside_bends;
+mod beside_kinks;
 #[path = "../../examples/audit_survey/coarse.rs"]
 mod coarse;
 mod cross_check;

@@ -7,14 +7,13 @@
 //!
 //! a sum of the responses to `-theta0 K p0`, to 1 and to `-y`. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
-use fredholm::collocation::extrapolate;
-
 use super::frame::{Direction, Frame};
 use super::nodes::{Field, Response};
 use super::solved::Solved;
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
+use crate::contact::resolutions::left_by_collocation;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load};
@@ -139,7 +138,8 @@ pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Lineari
             let left = match first {
                 Some((first, ratio)) => {
                     let scale = of(last, k).abs().max(f64::MIN_POSITIVE);
-                    extrapolate((of(before, k) - of(first, k)).abs(), change, scale, ratio)
+                    let earlier = (of(before, k) - of(first, k)).abs();
+                    left_by_collocation([earlier, change], scale, ratio)
                 }
                 None => SAFETY * change,
             };
