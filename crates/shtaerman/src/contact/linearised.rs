@@ -1,5 +1,6 @@
 //! The first-order change of a contact, with the place of its largest pressure, and whether that is one.
 
+use super::accuracy::{ROUNDING, SAFETY};
 use super::edges::CLOSE;
 use super::kinks::jump;
 use super::rates::Linearised;
@@ -28,13 +29,16 @@ impl Contact {
         let mut zones = self.solution().zones().into_iter().map(image);
         let zone = zones.find(|[left, right]| *left < start && start < *right);
         let Some([left, right]) = zone else { return exact };
-        let step = STEP * (right - left);
         let half_width = self.problem().bodies().half_width();
-        let is_near = |at: f64| (at - start).abs() < REACH * step;
         let breaks = self.problem().profile().breakpoints(half_width);
-        if is_near(left) || is_near(right) || breaks.into_iter().any(is_near) {
+        let bends = breaks.into_iter().chain([left, right]);
+        let nearest = bends.fold(f64::INFINITY, |least, at| least.min((at - start).abs()));
+        if nearest <= ROUNDING {
             return exact;
         }
+        let step = (STEP * (right - left)).min(nearest / REACH);
+        // Without a bend that differences show its place is known to the root of rounding.
+        let rounded = [start, f64::EPSILON.sqrt() * (right - left), SAFETY];
         // Newton's step to the root of the slope, and the pressure over its bend.
         let shift = |place: f64, step: f64| {
             let [a, b, c, d, e] =
@@ -44,12 +48,12 @@ impl Contact {
             let is_peak = bend < 0.0 && slope.abs() <= -bend;
             is_peak.then_some((-slope / bend, c / bend))
         };
-        let Some((first, _)) = shift(start, step) else { return exact };
+        let Some((first, _)) = shift(start, step) else { return rounded };
         // What half the step changes, the formula with the whole step missed; its own error is a sixteenth.
         let (place, step) = (start + first * step, 0.5 * step);
-        let Some((second, size)) = shift(place, step) else { return exact };
+        let Some((second, size)) = shift(place, step) else { return rounded };
         // The error of a pressure varies over a tenth of its zone.
-        let slope = 5.0 * STEP * self.known_to() + 2.0 * f64::EPSILON;
+        let slope = 10.0 * step / (right - left) * self.known_to() + 2.0 * f64::EPSILON;
         [place + second * step, step, second.abs() + slope * size.abs()]
     }
 

@@ -445,3 +445,26 @@ fn the_scale_of_the_profile_is_a_parameter_like_others() {
         }
     }
 }
+
+#[test]
+fn the_largest_pressure_beside_a_bend() {
+    let text = |tolerance: f64| {
+        format!(
+            "[foundation]\nyoung_modulus = 4.0962e9\npoisson_ratio = 0.3\nroughness = 2.9113e-9\n[punch]\ngeometry = \"periodic\"\nhalf_width = 0.53054\nperiod = 2.40029\nprofile = \"0.000140255*(x/0.53054)^2 + 6.74223e-5*max(0, x/0.53054 - 0.2207947)^2\"\n[load]\nforce = 462574.666\neccentricity = 0.00490069\n[solver]\ntolerance = {tolerance:e}\n"
+        )
+    };
+    // The place is known to a few digits from few nodes, and lies within a step of the differences from where the base bends.
+    let solved = |tolerance| shtaerman::file::parse(&text(tolerance), "test").unwrap().solve();
+    let [rough, fine] = [1e-6, 1e-13].map(|tolerance| {
+        let contact = solved(tolerance).unwrap();
+        let found = contact.tangent_sensitivities().unwrap().peak_pressure.unwrap();
+        (contact.peak_pressure_at(), contact.peak_pressure(), found)
+    });
+    let bend = 0.53054 * 0.2207947;
+    assert!((fine.0 - bend).abs() < 2e-3 && fine.0 != bend, "{}", fine.0);
+    let [one, two] =
+        [&rough, &fine].map(|(_, peak, found)| 462574.666 * found.force.unwrap() / peak);
+    let stated = rough.2.error + fine.2.error;
+    assert!((one - two).abs() <= stated * one.abs().max(1.0), "{one} {two} {stated:e}");
+    assert!(one != two && stated < 1e-6, "{one} {two} {stated:e}");
+}
