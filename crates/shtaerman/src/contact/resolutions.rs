@@ -85,9 +85,12 @@ impl Trust {
         let of = |part: fn(&Change) -> f64, scale: f64, share: f64| {
             self.left_of_one([part(before), part(change)], scale, share).max(ROUNDING * scale)
         };
-        // Of two that belong together one may agree by chance.
+        // Of those that belong together one may agree by chance, and the others be given.
         let displaced = of(|change| change.settlement.max(change.tilt), sizes.displacement, 1.0);
         let carried = of(|change| change.force.max(change.moment), sizes.force, length);
+        let share = (displaced / sizes.displacement).max(carried / sizes.force);
+        let displaced = displaced.max(share * sizes.displacement);
+        let carried = carried.max(share * sizes.force);
         let accuracy = Accuracy {
             kind: ErrorKind::Estimate,
             pressure: self.left([before.pressure, change.pressure], sizes.pressure),
