@@ -40,7 +40,7 @@ impl Problem {
         let way = self.with_solver(self.solver().with_tolerance(loose)?);
         let curve = Curve { problem: self, way: &way, settlement, e };
         match curve.search() {
-            Search::Found(point) => Ok(point.contact.settled_at(self, settlement)),
+            Search::Found(point) => point.contact.settled_at(self, settlement),
             Search::Turns(excess) => Err(curve.out_of_reach(excess)),
             Search::Lost if curve.is_clear() => Err(Error::NoContact),
             Search::Lost => {
@@ -56,7 +56,7 @@ impl Problem {
         let force = self.under(level).solve_as_given()?.state().force;
         let force = force * self.bodies().unit(Scaling::force);
         let under = Load { vertical: Vertical::Force(force), ..given };
-        Ok(self.under(under).solve_as_given()?.settled_at(self, settlement))
+        self.under(under).solve_as_given()?.settled_at(self, settlement)
     }
 }
 

@@ -10,6 +10,7 @@ use super::balance::State;
 use super::parts::Smoothness;
 use super::zones::Zone;
 use crate::Load;
+use crate::solver::AIM;
 
 /// Differences that fall by less have not begun to (survey).
 pub(super) const SLOW: f64 = 0.25;
@@ -47,12 +48,14 @@ impl Change {
 }
 
 /// What collocation leaves on the finest of three numbers of nodes, which grow by a ratio, after two differences of a quantity of this size. Beside ends and kinks its error is `exp(-c sqrt(n))`
-/// (F. Stenger, *Numerical Methods Based on Sinc and Analytic Functions*, Springer 1993): its logarithm grows by the root of the ratio. For once a difference may have fallen faster: waves of
-/// the profile are resolved one after another, and what nodes miss beside a kink changes its sign (survey: of 1770 errors of random contacts the largest was 0.6 of this but for one of rounding, and 20
+/// (F. Stenger, *Numerical Methods Based on Sinc and Analytic Functions*, Springer 1993): its logarithm grows by the root of the ratio. For once a difference may have fallen faster: what nodes
+/// miss beside a kink changes its sign (survey: of 1770 errors of random contacts the largest was 0.6 of this but for one of rounding, and 20
 /// times what the two differences alone tell).
 pub(super) fn left_by_collocation([before, change]: [f64; 2], scale: f64, ratio: f64) -> f64 {
     let exponential = SAFETY * scale * (change / scale).powf(ratio.sqrt());
-    extrapolate(before, change, scale, ratio).max(exponential.min(change))
+    let left = extrapolate(before, change, scale, ratio).max(exponential.min(change));
+    // Small fast waves of the profile look alike on nodes that do not resolve them: until all are small the last difference is stated.
+    if left <= AIM * scale { left } else { left.max(change) }
 }
 
 /// How far differences may be trusted.

@@ -14,6 +14,7 @@ use super::promise::Reached;
 use super::route::Found;
 use super::setting::Setting;
 use super::solution::Solution;
+use super::steps::rise;
 use super::stiffness::Stiffness;
 use super::unaudited::Unaudited;
 use super::warning::{Warning, WarningCode};
@@ -179,7 +180,10 @@ impl Contact {
     }
 
     /// This contact under a force as the answer to the settlement it has but for rounding, which the force answers for.
-    pub(super) fn settled_at(mut self, problem: &Problem, settlement: f64) -> Self {
+    ///
+    /// # Errors
+    /// Those of an error above what the problem asks for.
+    pub(super) fn settled_at(mut self, problem: &Problem, settlement: f64) -> Result<Self, Error> {
         let record = self.record_mut();
         let state = record.state;
         let missed = (state.settlement - settlement).abs();
@@ -187,22 +191,34 @@ impl Contact {
             let load = record.problem.dimensionless_load();
             let [raise, _] = record.solution.stiffness().displaced(&load, [1.0, 0.0]);
             let rounding = 4.0 * f64::EPSILON * state.force.abs();
-            known.force = ((known.settlement + missed) / raise).abs() + rounding;
+            *known = known.with_profile_error(missed, [0.0; 2]);
+            known.force = (known.settlement / raise).abs() + rounding;
             known.moment = known.force * (state.moment / state.force).abs();
             known.settlement = 0.0;
         }
         record.state.settlement = settlement;
         (record.problem, record.setting) = (problem.clone(), Setting::new(problem));
-        self
+        let sizes = record.state.sizes(record.peak.0.abs());
+        let reached = record.accuracy.map_or(0.0, |known| known.relative(&sizes));
+        self.require_kept(reached)?;
+        Ok(self)
     }
 
     /// The largest pressure, or that under a break of the base if it is larger: a cusp is too narrow for a search.
     fn peak_under_breaks(&self, found: Extreme) -> Extreme {
-        let breaks =
-            self.record.problem.profile().breakpoints(self.record.problem.bodies().half_width());
+        let problem = &self.record.problem;
+        let half_width = problem.bodies().half_width();
+        let breaks = problem.profile().breakpoints(half_width);
         let under =
             breaks.into_iter().take(MOST_CUTS).filter(|xi| self.record.solution.touches(*xi));
-        let peaks = under.map(|place| Extreme { place, value: self.pressure_at(place) });
+        // Beside a step the pressure is that of its side, and largest at one of its neighbours.
+        let height = |xi: f64| problem.profile().height(xi, half_width);
+        let numbers = |at: f64| {
+            let beside = rise(height, at).map(|_| [at.next_down(), at.next_up()]);
+            std::iter::once(at).chain(beside.into_iter().flatten())
+        };
+        let peaks = under.flat_map(numbers);
+        let peaks = peaks.map(|place| Extreme { place, value: self.pressure_at(place) });
         peaks.fold(found, |best, peak| if peak.value > best.value { peak } else { best })
     }
 
@@ -333,6 +349,14 @@ impl Contact {
         self.record.audit.as_ref()
     }
 
+    /// Refuses a relative error above what the problem asks for.
+    pub(super) fn require_kept(&self, reached: f64) -> Result<(), Error> {
+        let State { settlement, tilt, .. } = self.state();
+        let displacements = [settlement, tilt];
+        let solver = self.problem().solver();
+        Reached { error: reached, method: self.method(), displacements }.require_kept(solver)
+    }
+
     fn found_audit(&self) -> Option<&Audit> {
         self.audited_by()?.as_ref().ok()
     }
@@ -356,10 +380,8 @@ impl Contact {
             return Ok(());
         }
         let reached = self.relative_error();
-        let State { settlement, tilt, .. } = self.state();
-        let displacements = [settlement, tilt];
+        self.require_kept(reached)?;
         let solver = *self.problem().solver();
-        Reached { error: reached, method: self.method(), displacements }.require_kept(&solver)?;
         if solver.tolerance.is_some() || solver.degree.is_some() {
             return Ok(());
         }

@@ -18,6 +18,7 @@ mod equations;
 #[path = "../../examples/audit_survey/judge.rs"]
 mod judge;
 mod jumps;
+mod loose_tolerances;
 mod numbers;
 mod survey;
 

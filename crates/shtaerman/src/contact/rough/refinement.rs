@@ -110,7 +110,9 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Sta
     let accuracy = Accuracy { pressure, ..accuracy };
     let is_unknown = F::RATIO.is_none() && base.smoothness == Smoothness::Unknown;
     let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
-    Stated { accuracy, edge: edge.max(fine.rounding() / fine.gentlest(base)) }
+    let stated = Stated { accuracy, edge: edge.max(fine.rounding() / fine.gentlest(base)) };
+    // Two resolutions may agree because neither was solved any further.
+    fine.raised(stated, fine.unsolved * fine.deepest(), &fine.stiffness())
 }
 
 /// What polynomials through so many points miss of a power of the distance from an end, some, as a share of it at the other end.
@@ -119,18 +121,22 @@ pub(super) fn missed_of_power(points: usize, power: f64) -> f64 {
 }
 
 impl<F: Field> Solved<F> {
-    /// What is stated with what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
+    /// What is stated with what a kernel that is not known to all digits leaves in a displacement.
     pub(super) fn stated_with_kernel(&self, base: &Base, stiffness: &Stiffness) -> Stated {
         let missed = base.ground.kernel_error() * self.strength * self.state.force.abs();
+        self.raised(self.stated, missed, stiffness)
+    }
+
+    /// What is stated with what is missed in a displacement, and that in the pressure and in the ends.
+    fn raised(&self, stated: Stated, missed: f64, stiffness: &Stiffness) -> Stated {
         if missed == 0.0 {
-            return self.stated;
+            return stated;
         }
         let Stiffness { force_settlement, moment_tilt, .. } = *stiffness;
-        let raised =
-            self.stated.accuracy.with_profile_error(missed, [force_settlement, moment_tilt]);
-        let pressure = raised.pressure + 2.0 * missed * self.layer.slope(self.deepest());
+        let raised = stated.accuracy.with_profile_error(missed, [force_settlement, moment_tilt]);
+        let pressure = stated.accuracy.pressure + 2.0 * missed * self.layer.slope(self.deepest());
         let longest = self.nodes.zones.iter().map(Zone::length).fold(0.0, f64::max);
-        let edge = self.stated.edge + missed * longest / self.deepest();
+        let edge = stated.edge + missed * longest / self.deepest();
         Stated { accuracy: Accuracy { pressure, ..raised }, edge }
     }
 

@@ -35,6 +35,8 @@ pub(super) struct Solved<F> {
     /// `theta K p` at the nodes.
     displaced: Vec<f64>,
     pub(super) responses: Option<Arc<[Response<F>; 3]>>,
+    /// The residual that was small enough, relative to the layer; 0 where the equation was solved directly.
+    pub(super) unsolved: f64,
     pub(super) stated: Stated,
     /// Up to two coarser resolutions of the same.
     pub(super) coarser: Vec<Self>,
@@ -86,6 +88,7 @@ impl<F: Field> Solved<F> {
             state: nodes.frame.state(&direction, moment),
             displaced: pressed.displaced,
             responses: None,
+            unsolved: on.residual(),
             stated: Stated::none(),
             coarser: Vec::new(),
             nodes,

@@ -110,9 +110,11 @@ impl Unit {
             let trust = Trust::new(Smoothness::Proved, RATIO, pressures, rounding, size);
             let left = |k: usize, size: f64| trust.left_of_one([before[k], change[k]], size, 1.0);
             let share = rounding / size;
-            let off =
-                [left(0, size).max(rounding), left(1, finer.turning).max(share * finer.turning)];
-            let is_known = (off[0] / size).max(off[1] / finer.turning) <= tolerance.max(share);
+            // The moment, a single number, may agree by chance: no better than the pressure is it known.
+            let known = left(0, size) / size;
+            let share = share.max(known).max(left(1, finer.turning) / finer.turning);
+            let off = [share * size, share * finer.turning];
+            let is_known = share <= tolerance.max(rounding / size);
             if level > 1 && (is_known || is_most || deadline.is_past()) {
                 return Ok((finer, off));
             }
