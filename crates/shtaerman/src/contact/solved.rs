@@ -209,8 +209,8 @@ impl Contact {
         let problem = &self.record.problem;
         let half_width = problem.bodies().half_width();
         let breaks = problem.profile().breakpoints(half_width);
-        let under =
-            breaks.into_iter().take(MOST_CUTS).filter(|xi| self.record.solution.touches(*xi));
+        let under = breaks.into_iter().take(MOST_CUTS).chain([-1.0, 1.0]);
+        let under = under.filter(|xi| self.record.solution.touches(*xi));
         // Beside a step the pressure is that of its side, and largest at one of its neighbours.
         let height = |xi: f64| problem.profile().height(xi, half_width);
         let numbers = |at: f64| {
