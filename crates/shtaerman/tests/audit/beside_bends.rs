@@ -53,6 +53,7 @@ fn pressures_at_tips_off_the_middle() {
     for case in TIPS {
         let [off, stated] = off(case);
         // Up to three times what is stated there (`docs/src/limits.md`).
-        assert!(off <= 3.0 * stated && stated < 2e-12, "{case:?}: {off:e}, {stated:e}");
+        let most = if case.0 > 0.8 { 2e-12 } else { 1e-12 };
+        assert!(off <= 3.0 * stated && stated < most, "{case:?}: {off:e}, {stated:e}");
     }
 }

@@ -192,7 +192,9 @@ fn the_flat_side_of_a_kink_has_the_slope_that_the_body_gives_it() {
         let rise = contact.pressure(place).unwrap() - contact.pressure(0.0).unwrap();
         let off = (rise - truth).abs();
         assert!(off <= stated + known, "{exponent} {width}: off by {off:e}, {stated:e} stated");
-        assert!(stated < 1e-10, "{exponent} {width}: {stated:e} stated");
+        // Beside a ramp of 1e-8 nodes are at their most, and the last difference is stated.
+        let most = if exponent > 0.85 { 1e-10 } else { 1e-11 };
+        assert!(stated < most, "{exponent} {width}: {stated:e} stated");
     }
 }
 
