@@ -12,7 +12,7 @@ use crate::Error;
 use crate::line_search::{CUTS, STEPS};
 
 /// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).
-const SMALL: f64 = 1e-8;
+pub(super) const SMALL: f64 = 1e-8;
 pub(super) const FALLING: f64 = 0.9;
 /// So often: ends beside a narrow gap depend on each other, and a single step may lead astray (survey).
 const STALLS: usize = 3;
@@ -56,7 +56,7 @@ impl EndState {
 /// The ends of all zones, as [`Equation::ends`] tells them.
 type Ends = [[EndState; 2]];
 
-/// Moves the free ends until the pressure vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to a wall stay there and leave it again if it pulls.
+/// Moves the free ends until the pressure vanishes there, perhaps from a solution on the same zones. Zones that carry nothing disappear, those that meet become one, ends that come to a wall stay there and leave it again if it pulls.
 ///
 /// # Errors
 /// Those of the solutions.
@@ -64,19 +64,23 @@ pub(super) fn settle<E: Equation>(
     equation: &E,
     start: &[Zone],
     effort: &E::Effort,
+    near: Option<&E::Solved>,
 ) -> Result<E::Solved, Error> {
     let mut zones = equation.arranged(start.to_vec());
     if !equation.may_lift() {
-        return equation.solve(&zones, effort, None);
+        return equation.solve(&zones, effort, near);
     }
     let mut latest: Option<E::Solved> = None;
     let mut worst_before: Option<f64> = None;
     let mut step: Option<Step> = None;
     let mut brackets = Brackets::default();
     let mut strides = Strides::default();
+    if let Some(near) = near {
+        zones = moved(equation, &zones, &equation.ends(near, effort), &brackets, &mut strides);
+    }
     let mut stalls = 0;
     for _ in 0..STEPS {
-        let solved = equation.solve(&zones, effort, latest.as_ref())?;
+        let solved = equation.solve(&zones, effort, latest.as_ref().or(near))?;
         if equation.deadline().is_past() {
             return Ok(solved);
         }
@@ -84,7 +88,7 @@ pub(super) fn settle<E: Equation>(
             (latest, worst_before, step) = (None, None, None);
             continue;
         }
-        let mut ends = equation.ends(&solved);
+        let mut ends = equation.ends(&solved, effort);
         let lacking = lacking(&zones, &ends);
         if let Some(step) = &mut step
             && step.is_to_be_cut(lacking, &ends, &mut zones)

@@ -120,8 +120,8 @@ pub(super) trait Equation {
     /// The force on a zone, or a multiple of it.
     fn force(&self, solved: &Self::Solved, zone: usize) -> f64;
 
-    /// What is known at both ends of each zone.
-    fn ends(&self, solved: &Self::Solved) -> Vec<[EndState; 2]>;
+    /// What is known at both ends of each zone, found with this effort.
+    fn ends(&self, solved: &Self::Solved, effort: &Self::Effort) -> Vec<[EndState; 2]>;
 
     /// Tension and penetration, listed beyond `allowed`.
     fn check(&self, solved: &Self::Solved, allowed: f64) -> Check;
@@ -175,7 +175,7 @@ pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Che
             break;
         }
         effort = equation.effort(&zones, Some(effort))?;
-        coarse = match edges::settle(equation, &zones, &effort) {
+        coarse = match edges::settle(equation, &zones, &effort, None) {
             Ok(solved) => solved,
             Err(_) => break,
         };
@@ -218,7 +218,7 @@ fn found<E: Equation>(equation: &E) -> Result<Coarse<E>, Error> {
     // All nodes tell whether there is anything left.
     let Some(zones) = doubtful.zones else { return Err(last) };
     let effort = equation.effort(&zones, None)?;
-    Ok(Coarse { solved: edges::settle(equation, &zones, &effort)?, effort, left: None })
+    Ok(Coarse { solved: edges::settle(equation, &zones, &effort, None)?, effort, left: None })
 }
 
 /// The zones with the least violation so small that more nodes may show none.
@@ -241,7 +241,7 @@ fn corrected_zones<E: Equation>(
         }
         require_few(&zones, E::MOST_ZONES)?;
         effort = equation.effort(&zones, Some(effort))?;
-        let solved = edges::settle(equation, &zones, &effort)?;
+        let solved = edges::settle(equation, &zones, &effort, None)?;
         if equation.deadline().is_past() {
             return Ok(Coarse { solved, effort, left: None });
         }

@@ -128,7 +128,9 @@ impl<'o, D: Discrete> Newton<'o, D> {
             let is_met = left <= enough || left > 0.5 * before && left <= small;
             let deadline = self.on.base().problem().deadline();
             deadline.spend(self.on.work());
-            if !is_blind && (is_met || deadline.is_past()) {
+            // What is carried over from other nodes is no solution on these before a step was taken.
+            let is_carried = before.is_infinite();
+            if !is_blind && (is_met && !is_carried || deadline.is_past()) {
                 return self.found(trial);
             }
             let [least, most] = INEXACT;

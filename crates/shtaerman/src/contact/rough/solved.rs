@@ -37,6 +37,8 @@ pub(super) struct Solved<F> {
     pub(super) responses: Option<Arc<[Response<F>; 3]>>,
     /// The residual that was small enough, relative to the layer; 0 where the equation was solved directly.
     pub(super) unsolved: f64,
+    /// The largest displacement of the layer that was left at free ends; 0 where the zones are those of the pressure.
+    pub(super) at_ends: f64,
     pub(super) stated: Stated,
     /// Up to two coarser resolutions of the same.
     pub(super) coarser: Vec<Self>,
@@ -89,6 +91,7 @@ impl<F: Field> Solved<F> {
             displaced: pressed.displaced,
             responses: None,
             unsolved: on.residual(),
+            at_ends: 0.0,
             stated: Stated::none(),
             coarser: Vec::new(),
             nodes,
@@ -182,7 +185,7 @@ impl<F: Field> Solved<F> {
     }
 
     /// The largest displacement of the layer, of either sign, at the free ends.
-    pub(super) fn at_ends(&self, height: impl Fn(f64) -> f64) -> f64 {
+    pub(super) fn layer_at_ends(&self, height: impl Fn(f64) -> f64) -> f64 {
         let ends = self.nodes.zones.iter().flat_map(Zone::free_ends);
         ends.map(|(_, at)| self.layer_at(at, height(at)).abs()).fold(0.0, f64::max)
     }

@@ -8,8 +8,9 @@ use super::pressure::Pressure;
 use super::stated::noise;
 use super::topology;
 use crate::Error;
+use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
-use crate::contact::edges::{EndState, settle};
+use crate::contact::edges::{EndState, SMALL, settle};
 use crate::contact::search::{COARSELY_ALLOWED, Equation, Start};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
@@ -127,9 +128,16 @@ impl<F: FirstKind> Equation for F {
         solved.force(zone)
     }
 
-    fn ends(&self, solved: &F::Solved) -> Vec<[EndState; 2]> {
-        let count = solved.zones().len();
-        (0..count).map(|zone| [0, 1].map(|side| solved.end(zone, side))).collect()
+    /// Those that more detail settles again are good enough where they are nearly right.
+    fn ends(&self, solved: &F::Solved, effort: &Detail) -> Vec<[EndState; 2]> {
+        let is_last = effort.digits >= FINE.digits || solved.is_fine();
+        let sought = if is_last { 0.0 } else { SMALL };
+        let end = |zone: usize, side: usize| {
+            let end = solved.end(zone, side);
+            let none = end.none.max(end.rounding / SAFETY).max(sought * end.scale);
+            EndState { none, enough: none.max(end.rounding), ..end }
+        };
+        (0..solved.zones().len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
     }
 
     fn check(&self, solved: &F::Solved, allowed: f64) -> Check {
@@ -137,7 +145,11 @@ impl<F: FirstKind> Equation for F {
     }
 
     fn refined(&self, coarse: F::Solved, _effort: &Detail) -> Result<F::Solved, Error> {
-        if coarse.is_fine() { Ok(coarse) } else { settle(self, &coarse.zones(), &FINE) }
+        if coarse.is_fine() {
+            Ok(coarse)
+        } else {
+            settle(self, &coarse.zones(), &FINE, Some(&coarse))
+        }
     }
 
     fn is_refined(&self, solved: &F::Solved) -> bool {

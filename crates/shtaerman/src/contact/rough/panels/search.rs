@@ -168,7 +168,7 @@ impl<'b> ManyPanels<'b> {
                 let is_same = next.len() == zones.len();
                 zones = next;
                 let is_over = !zones.is_empty() && base.problem().deadline().is_past();
-                let at_ends = solved.at_ends(|xi| base.height(xi));
+                let at_ends = solved.layer_at_ends(|xi| base.height(xi));
                 let is_good = is_same && at_ends <= effort.good * solved.deepest();
                 if !is_over && !is_good {
                     (latest, known) = (Some(solved), Some(nodes.operator));

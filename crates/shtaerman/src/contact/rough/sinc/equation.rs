@@ -8,16 +8,17 @@ use super::nodes::{Resolution, SincField, SincNodes};
 use crate::Error;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
-use crate::contact::edges::{CLOSE, EndState, settle};
+use crate::contact::edges::{CLOSE, EndState, SMALL, settle};
 use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::{MOST_DENSE, RATIO};
 use crate::contact::rough::solved::{BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
-use crate::contact::search::{Equation, Start, unknown};
+use crate::contact::search::{ALLOWED, Equation, Start, unknown};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone, mirror};
 use crate::deadline::Deadline;
+use crate::solver::AIM;
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys (survey).
 const NODES_A_VALLEY: f64 = 12.0;
@@ -76,11 +77,13 @@ impl<'b> Collocation<'b> {
     pub(in crate::contact::rough) fn whole(&self) -> Result<OnZones, Error> {
         let zones = self.base.whole();
         let resolution = self.effort(&zones, None)?;
-        self.finer_than(settle(self, &zones, &resolution)?, &resolution)
+        self.finer_than(settle(self, &zones, &resolution, None)?, &resolution)
     }
 
     /// The answer on growing numbers of nodes, from one on few.
     fn finer_than(&self, coarse: OnZones, resolution: &Resolution) -> Result<OnZones, Error> {
+        let tolerance = self.base.problem().solver().tolerance.unwrap_or(AIM);
+        let ends = ALLOWED.min(tolerance / SAFETY) / SAFETY;
         let next = |solved: &OnZones, level: usize| {
             let strength = resolution.strength * RATIO.powi(level as i32);
             let is_too_much = strength > self.effort.room(solved.nodes.panels.len())
@@ -89,8 +92,8 @@ impl<'b> Collocation<'b> {
             if level > 2 && is_too_much {
                 return Ok(None);
             }
-            let resolution = Resolution::new(&self.base.ground, strength)?;
-            settle(self, &solved.nodes.zones, &resolution).map(Some)
+            let resolution = Resolution::new(&self.base.ground, strength, ends)?;
+            settle(self, &solved.nodes.zones, &resolution, Some(solved)).map(Some)
         };
         refinement::refined(self.base, coarse, next)
     }
@@ -180,14 +183,14 @@ impl Equation for Collocation<'_> {
         let wanted = self.strength(zones).min(room / RATIO) / RATIO;
         match before.filter(|known| (wanted..=room).contains(&known.strength)) {
             Some(known) => Ok(known),
-            None => Resolution::new(&self.base.ground, wanted),
+            None => Resolution::new(&self.base.ground, wanted, SMALL),
         }
     }
 
     fn finer(&self, solved: &OnZones, effort: &Resolution) -> Option<Resolution> {
         let finer = (effort.strength * RATIO).min(self.effort.room(solved.nodes.panels.len()));
         let is_finer = finer > effort.strength;
-        if is_finer { Resolution::new(&self.base.ground, finer).ok() } else { None }
+        if is_finer { Resolution::new(&self.base.ground, finer, SMALL).ok() } else { None }
     }
 
     fn solve(
@@ -198,7 +201,11 @@ impl Equation for Collocation<'_> {
     ) -> Result<OnZones, Error> {
         let nodes = SincNodes::new(self.base, effort, zones)?;
         let Found { step, inverse } = newton::solve(&nodes, near)?;
-        let solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
+        let mut solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
+        let free = (zones.iter().enumerate())
+            .flat_map(|(j, zone)| zone.free_ends().map(move |(side, _)| (j, side)));
+        solved.at_ends =
+            free.fold(0.0, |most: f64, (j, side)| most.max(solved.end(j, side).0.abs()));
         self.spent.set(self.spent.get() + (solved.given.len() as f64).powi(3));
         if self.spent.get() <= self.effort.work { Ok(solved) } else { Err(unknown()) }
     }
@@ -212,11 +219,12 @@ impl Equation for Collocation<'_> {
         solved.masses[panels.start * count..panels.end * count].iter().sum()
     }
 
-    fn ends(&self, solved: &OnZones) -> Vec<[EndState; 2]> {
+    fn ends(&self, solved: &OnZones, effort: &Resolution) -> Vec<[EndState; 2]> {
         let (rounding, scale) = (solved.rounding(), solved.deepest());
         let end = |zone: usize, side: usize| {
             let (value, step) = solved.end(zone, side);
-            EndState { value, rounding, scale, none: rounding / SAFETY, enough: rounding, step }
+            let none = (rounding / SAFETY).max(effort.ends * scale);
+            EndState { value, rounding, scale, none, enough: rounding.max(none), step }
         };
         (0..solved.nodes.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
     }

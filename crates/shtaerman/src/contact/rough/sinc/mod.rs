@@ -29,7 +29,7 @@ impl Setting {
         // Two nodes of a whole base that was not collocated for each Chebyshev degree of its profile: at half or twice 3 of 10 answers change, within what they state (survey).
         let wanted = (smooth + 2.0 * profile_degree as f64).min(room);
         let changes = |power: i32| -> Result<Changes, Error> {
-            let resolution = Resolution::new(&base.ground, wanted * RATIO.powi(power))?;
+            let resolution = Resolution::new(&base.ground, wanted * RATIO.powi(power), 0.0)?;
             let on = SincNodes::new(&base, &resolution, &base.whole())?;
             let nodes = on.nodes();
             let body: Vec<f64> = nodes.places.iter().map(|xi| -displacement(*xi)).collect();

@@ -24,6 +24,8 @@ const BESIDE_ENDS: [f64; 9] = [3e-14, 3e-13, 3e-12, 3e-11, 3e-10, 3e-9, 3e-8, 3e
 pub(in crate::contact::rough) struct Resolution {
     /// Nodes on either side of the middle of a panel, before they are rounded to a number.
     pub(super) strength: f64,
+    /// What the layer gives at free ends over the most, at which the zones are good enough.
+    pub(super) ends: f64,
     ground: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
     /// The last operator with its panels: a zone without bends, and one that is its own mirror image with a bend in the middle, has the same wherever its ends are.
@@ -35,9 +37,9 @@ type LocalPanels = Vec<(f64, f64)>;
 
 impl Resolution {
     /// About so many nodes on either side of the middle of a panel.
-    pub(super) fn new(ground: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
+    pub(super) fn new(ground: &Arc<dyn Ground>, strength: f64, ends: f64) -> Result<Self, Error> {
         let grid = ground.grid((strength.round() as usize).max(FEWEST))?;
-        Ok(Self { strength, ground: Arc::clone(ground), grid, last: RefCell::default() })
+        Ok(Self { strength, ends, ground: Arc::clone(ground), grid, last: RefCell::default() })
     }
 
     fn operator(&self, panels: LocalPanels) -> Result<Arc<SincOperator>, Error> {

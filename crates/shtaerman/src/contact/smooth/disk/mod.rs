@@ -95,7 +95,8 @@ impl Disk {
     fn rings(&self) -> Error {
         let bodies = self.base.setting.problem().bodies();
         let whole = self.base.whole();
-        let seen = settle(self, &whole, &FINE).map(|solved| check(&self.base, &solved, ALLOWED));
+        let seen =
+            settle(self, &whole, &FINE, None).map(|solved| check(&self.base, &solved, ALLOWED));
         let (at, found) = match seen {
             Ok(left) if !left.pulling.is_empty() => {
                 (0.5 * (left.pulling[0][0] + left.pulling[0][1]), "tension")

@@ -141,7 +141,7 @@ fn tried(plane: &Plane, [left, right]: [f64; 2]) -> Option<SmoothContact<Solved>
     let [left, right] = [middle - half, middle + half];
     let is_inside = -1.0 < left && left < right && right < 1.0;
     let zone = is_inside.then(|| plane.base.walls.zone([left, right]))?;
-    let solved = settle(plane, &[zone], &FINE).ok()?;
+    let solved = settle(plane, &[zone], &FINE, None).ok()?;
     let left = check(&plane.base, &solved, ALLOWED);
     let found = left.is_clean().then(|| SmoothContact::new(plane, solved, &left))?;
     found.ok()
