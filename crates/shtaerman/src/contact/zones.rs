@@ -1,5 +1,6 @@
 //! The zones of contact.
 
+use super::accuracy::ROUNDING;
 use super::intervals::joined;
 use crate::Error;
 
@@ -58,6 +59,11 @@ impl Zone {
 
     pub(super) fn middle(&self) -> f64 {
         0.5 * (self.ends[0] + self.ends[1])
+    }
+
+    /// How far off the middle is by rounding of the ends.
+    pub(super) fn rounding(&self) -> f64 {
+        ROUNDING * self.left().abs().max(self.right().abs())
     }
 
     /// Whether the left (0) or right (1) end is free.

@@ -8,7 +8,6 @@ use super::pressure::Pressure;
 use super::stated::noise;
 use super::topology;
 use crate::Error;
-use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, SMALL, settle};
 use crate::contact::search::{COARSELY_ALLOWED, Equation, Start};
@@ -134,7 +133,7 @@ impl<F: FirstKind> Equation for F {
         let sought = if is_last { 0.0 } else { SMALL };
         let end = |zone: usize, side: usize| {
             let end = solved.end(zone, side);
-            let none = end.none.max(end.rounding / SAFETY).max(sought * end.scale);
+            let none = end.none.max(sought * end.scale);
             EndState { none, enough: none.max(end.rounding), ..end }
         };
         (0..solved.zones().len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()

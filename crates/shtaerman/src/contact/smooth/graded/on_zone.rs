@@ -125,7 +125,7 @@ impl OnZone {
                 Rest::Bent(halves(base, zone, (&cuts, is_told), rest, noise * steepest))
             }
         };
-        let centre = 0.5 * (left + right);
+        let centre = middle(zone, &cuts);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
         tidy(&mut breaks, zone);
         let felt = OnceLock::new();
@@ -317,8 +317,7 @@ fn halves(
     rest: Arc<impl Fn(f64) -> f64 + Send + Sync + 'static>,
     noise: f64,
 ) -> Halves {
-    let [left, right] = zone.ends;
-    let (centre, tolerance) = (0.5 * (left + right), base.tolerance);
+    let (centre, tolerance) = (middle(zone, cuts), base.tolerance);
     let other = Arc::clone(&rest);
     let even: Slope = Arc::new(move |r| 0.5 * (rest(centre + r) - rest(centre - r)));
     let odd: Slope = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
@@ -331,11 +330,16 @@ fn halves(
     Halves { slopes, breaks, joints, tolerance, noise, remote, is_over }
 }
 
-/// Breaks in order, without those that the middle is known not to be.
+/// The middle of a zone: a bend that only rounding keeps from there is there, else the halves would bend next to it.
+fn middle(zone: &Zone, bends: &[f64]) -> f64 {
+    let middle = zone.middle();
+    let near = bends.iter().find(|at| (*at - middle).abs() <= zone.rounding());
+    near.copied().unwrap_or(middle)
+}
+
+/// Breaks in order, without those that are in the middle.
 fn tidy(breaks: &mut Vec<f64>, zone: &Zone) {
-    let [left, right] = zone.ends;
-    // Where a kink is, is rounded: what lies closer to the middle is there.
-    let rounding = ROUNDING * left.abs().max(right.abs());
+    let rounding = zone.rounding();
     breaks.retain(|r| *r > rounding);
     breaks.sort_by(f64::total_cmp);
     // Of two that mirror each other but for rounding one will do: between them there is nothing to be resolved.
