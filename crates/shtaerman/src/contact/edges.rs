@@ -76,7 +76,11 @@ pub(super) fn settle<E: Equation>(
     let mut brackets = Brackets::default();
     let mut strides = Strides::default();
     if let Some(near) = near {
-        zones = moved(equation, &zones, &equation.ends(near, effort), &brackets, &mut strides);
+        let mut ends = equation.ends(near, effort);
+        // The slope beside what is rounding tells nothing.
+        let known = ends.iter_mut().flatten().filter(|end| end.value.abs() <= end.rounding);
+        known.for_each(|end| end.step = 0.0);
+        zones = moved(equation, &zones, &ends, &brackets, &mut strides);
     }
     let mut stalls = 0;
     for _ in 0..STEPS {
