@@ -34,8 +34,15 @@ pub(crate) mod work {
     /// Of a slope of the profile on a smooth surface by polynomials, and by the formula itself.
     pub(crate) const SLOPE: f64 = 11_000.0;
     pub(crate) const DERIVATIVE: f64 = 34_000.0;
+    /// Formulas of so many operations count as a whole one, shorter ones as their part (survey: a power of a distance takes 100 ns).
+    const LONG: usize = 24;
     /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
     pub(crate) const DERIVATIVES: u32 = 20_000;
+
+    /// The part of a derivative that one of a formula of so many operations is.
+    pub(crate) fn share(operations: Option<usize>) -> f64 {
+        operations.map_or(1.0, |count| (count as f64 / LONG as f64).min(1.0))
+    }
 }
 
 /// The end of the time, or of the work, that a solve may take, or the wish of its caller to end it; without a limit of time no clock is read.

@@ -168,6 +168,14 @@ impl Profile {
         heights
     }
 
+    /// The number of operations of a formula.
+    pub(crate) fn operations(&self) -> Option<usize> {
+        match &self.shape {
+            Shape::Expression(expression) => Some(expression.length()),
+            _ => None,
+        }
+    }
+
     /// `df/dxi` of a punch of this half-width, at a kink to the right.
     #[must_use]
     pub(crate) fn slope(&self, xi: f64, half_width: f64) -> Option<f64> {

@@ -7,9 +7,11 @@
 //!
 //! a sum of the responses to `-theta0 K p0`, to 1 and to `-y`. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
+use std::f64::consts::TAU;
+
 use super::frame::{Direction, Frame};
 use super::nodes::{Field, Response};
-use super::solved::Solved;
+use super::solved::{AtEnds, Solved};
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
@@ -90,14 +92,24 @@ impl<F: Field> Known<'_, F> {
     /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
     fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
         let zones = &solved.nodes.zones;
-        // Where the layer is thin the slope changes within a length 1/theta0.
-        let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
+        let AtEnds { layer, off } = solved.at_ends;
+        let (exponent, rounding) = (solved.ground.exponent(), solved.rounding());
+        // Where the layer is thin the slope changes within a length 1/theta0: beside an end that is off as the logarithm of the distance, on graded ground as a power of it, and so does what the layer answers.
+        let left = |slope: f64| {
+            if exponent == 0.0 {
+                return rounding - 2.0 * f64::EPSILON.ln() * layer;
+            }
+            let off = off.max(rounding / slope.abs()).max(f64::EPSILON);
+            off.powf(-exponent) * (rounding + SAFETY * SAFETY * layer)
+        };
+        let of_layer = solved.strength * solved.layer.slope(solved.deepest());
         let edge = |((side, at), [body, added]): ((usize, f64), [f64; 2])| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
             let size = tilt.abs() + profile.abs() + added;
             let slope = -tilt - profile - body;
             let slope = if side == 0 { -slope } else { slope };
-            Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }
+            let noise = ROUNDING * size + of_layer * left(slope);
+            Edge { layer: self.layer(at), slope, noise }
         };
         let ends: Vec<(usize, f64)> = zones.iter().flat_map(Zone::free_ends).collect();
         let slopes = solved.slopes(&ends.iter().map(|(_, at)| *at).collect::<Vec<_>>());
@@ -124,7 +136,37 @@ pub(super) fn linearised<F: Field>(
     };
     let levels = solved.coarser.iter().chain([solved]);
     let levels: Vec<Changes> = levels.filter_map(changes).collect();
-    compared(&levels, F::RATIO)
+    let Linearised { rates, mut errors } = compared(&levels, F::RATIO)?;
+    let left = SAFETY * left_by_ends(solved);
+    for (errors, rates) in errors.iter_mut().zip(&rates) {
+        errors.iter_mut().zip(rates).for_each(|(error, rate)| *error += left * rate.abs());
+    }
+    Some(Linearised { rates, errors })
+}
+
+/// What free ends that are off leave of what responses carry, as a share: one that is off by `e` changes what a response `v_j` carries against another by `e v_j v_k` (Hadamard's formula). Beside a free end a layer that bends
+/// carries nothing.
+fn left_by_ends<F: Field>(solved: &Solved<F>) -> f64 {
+    let (off, frame) = (solved.at_ends.off, &solved.nodes.frame);
+    let Some(responses) = solved.responses.as_ref().filter(|_| off > 0.0) else { return 0.0 };
+    if !solved.layer.is_linear() {
+        return 0.0;
+    }
+    let is_disk = solved.ground.is_disk();
+    let gained = |k: usize, right: &dyn Fn(f64) -> f64| -> f64 {
+        let ends = solved.nodes.zones.iter().flat_map(Zone::free_ends);
+        let of_end = |(_, at): (usize, f64)| {
+            let around = if is_disk { TAU * at.abs() } else { 1.0 };
+            around * (right(at) - responses[k].field.at(at)).powi(2)
+        };
+        off * ends.map(of_end).sum::<f64>()
+    };
+    let level = gained(1, &|_| 1.0) / responses[1].carried[0].abs();
+    let turned =
+        gained(2, &|at| -frame.local(at)) * frame.hull.half / responses[2].carried[1].abs();
+    // The gauge takes its part of the force.
+    let by_gauge = (solved.stiffness().force_settlement / responses[1].carried[0]).abs().max(1.0);
+    by_gauge * if frame.turns { level.max(turned) } else { level }
 }
 
 /// The last of two resolutions with its difference from the one before, of three whose nodes grow by a ratio with what is left of these.
@@ -162,5 +204,7 @@ pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness>
     let entries = one.as_flattened().iter().zip(other.as_flattened());
     let error = entries
         .fold(0.0f64, |most, (a, b)| most.max(SAFETY * (a - b).abs()).max(ROUNDING * a.abs()));
+    let largest = one.as_flattened().iter().fold(0.0f64, |most, entry| most.max(entry.abs()));
+    let error = error + SAFETY * left_by_ends(solved) * largest;
     Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
 }

@@ -107,12 +107,13 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Sta
     let length = fine.nodes.zones.iter().map(Zone::length).sum();
     let (accuracy, edge) = trust.accuracy(base.load, changes, &compared, length);
     // Zones are good enough while the layer gives next to nothing at their free ends.
-    let missed = fine.missed_at_corners(base) + fine.layer.slope(fine.deepest()) * fine.at_ends;
+    let missed =
+        fine.missed_at_corners(base) + fine.layer.slope(fine.deepest()) * fine.at_ends.layer;
     let pressure = accuracy.pressure.max(rounding) + missed;
     let accuracy = Accuracy { pressure, ..accuracy };
     let is_unknown = F::RATIO.is_none() && base.smoothness == Smoothness::Unknown;
     let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
-    let edge = edge.max((fine.rounding() + fine.at_ends) / fine.gentlest(base));
+    let edge = edge.max((fine.rounding() + fine.at_ends.layer) / fine.gentlest(base));
     let stated = Stated { accuracy, edge };
     // Two resolutions may agree because neither was solved any further.
     fine.raised(stated, fine.unsolved * fine.deepest(), &fine.stiffness())

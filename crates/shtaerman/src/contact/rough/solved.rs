@@ -37,11 +37,19 @@ pub(super) struct Solved<F> {
     pub(super) responses: Option<Arc<[Response<F>; 3]>>,
     /// The residual that was small enough, relative to the layer; 0 where the equation was solved directly.
     pub(super) unsolved: f64,
-    /// The largest displacement of the layer that was left at free ends; 0 where the zones are those of the pressure.
-    pub(super) at_ends: f64,
+    pub(super) at_ends: AtEnds,
     pub(super) stated: Stated,
     /// Up to two coarser resolutions of the same.
     pub(super) coarser: Vec<Self>,
+}
+
+/// What is left at free ends, the most of all; nothing where the zones are those of the pressure.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct AtEnds {
+    /// The displacement of the layer, in size.
+    pub(super) layer: f64,
+    /// How far an end lies from where it would vanish.
+    pub(super) off: f64,
 }
 
 /// What a solution is known to.
@@ -91,7 +99,7 @@ impl<F: Field> Solved<F> {
             displaced: pressed.displaced,
             responses: None,
             unsolved: on.residual(),
-            at_ends: 0.0,
+            at_ends: AtEnds::default(),
             stated: Stated::none(),
             coarser: Vec::new(),
             nodes,

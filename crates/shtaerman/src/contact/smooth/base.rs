@@ -250,7 +250,8 @@ impl Base {
 
     /// `df0/dxi`, NaN where there is none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
-        self.deadline().spend(work::DERIVATIVE);
+        let profile = self.setting.problem().profile();
+        self.deadline().spend(work::DERIVATIVE * work::share(profile.operations()));
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
     }
 

@@ -12,9 +12,9 @@ use crate::contact::edges::{CLOSE, EndState, SMALL, settle};
 use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::{MOST_DENSE, RATIO};
-use crate::contact::rough::solved::{BESIDE, Solved};
+use crate::contact::rough::solved::{AtEnds, BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
-use crate::contact::search::{ALLOWED, Equation, Start, unknown};
+use crate::contact::search::{Equation, Start, unknown};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone, mirror};
 use crate::deadline::Deadline;
@@ -82,8 +82,9 @@ impl<'b> Collocation<'b> {
 
     /// The answer on growing numbers of nodes, from one on few.
     fn finer_than(&self, coarse: OnZones, resolution: &Resolution) -> Result<OnZones, Error> {
+        // Of ends that are off by `e` the pressure elsewhere is by `e^2`, but responses by `e`, which no `tolerance` of the pressure speaks of.
         let tolerance = self.base.problem().solver().tolerance.unwrap_or(AIM);
-        let ends = ALLOWED.min(tolerance / SAFETY) / SAFETY;
+        let ends = tolerance.min(AIM) / (SAFETY * SAFETY);
         let next = |solved: &OnZones, level: usize| {
             let strength = resolution.strength * RATIO.powi(level as i32);
             let is_too_much = strength > self.effort.room(solved.nodes.panels.len())
@@ -204,8 +205,10 @@ impl Equation for Collocation<'_> {
         let mut solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
         let free = (zones.iter().enumerate())
             .flat_map(|(j, zone)| zone.free_ends().map(move |(side, _)| (j, side)));
-        solved.at_ends =
-            free.fold(0.0, |most: f64, (j, side)| most.max(solved.end(j, side).0.abs()));
+        solved.at_ends = free.fold(AtEnds::default(), |most, (j, side)| {
+            let (layer, step) = solved.end(j, side);
+            AtEnds { layer: most.layer.max(layer.abs()), off: most.off.max(step.abs()) }
+        });
         self.spent.set(self.spent.get() + (solved.given.len() as f64).powi(3));
         if self.spent.get() <= self.effort.work { Ok(solved) } else { Err(unknown()) }
     }
