@@ -72,9 +72,9 @@ pub(super) struct Trust {
 }
 
 impl Trust {
-    /// In differences from a resolution that is far coarser, whose rate is not known.
-    pub(super) fn plain() -> Self {
-        Self { smoothness: Smoothness::Bent, ratio: 1.0, is_far: true, floor: None }
+    /// In differences whose rate is not known.
+    pub(super) fn plain(is_far: bool) -> Self {
+        Self { smoothness: Smoothness::Bent, ratio: 1.0, is_far, floor: None }
     }
 
     /// The error of the finest of three resolutions, and that of its edges, but for the rounding of the pressure: none for what the load prescribes. `length` is that of the zones.

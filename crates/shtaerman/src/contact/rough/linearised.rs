@@ -103,16 +103,22 @@ impl<F: Field> Known<'_, F> {
             off.powf(-exponent) * (rounding + SAFETY * SAFETY * layer)
         };
         let of_layer = solved.strength * solved.layer.slope(solved.deepest());
-        let edge = |((side, at), [body, added]): ((usize, f64), [f64; 2])| {
+        let edge = |((length, side, at), [body, added]): ((f64, usize, f64), [f64; 2])| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
             let size = tilt.abs() + profile.abs() + added;
             let slope = -tilt - profile - body;
             let slope = if side == 0 { -slope } else { slope };
-            let noise = ROUNDING * size + of_layer * left(slope);
+            // In a short zone it changes with the place itself.
+            let bent = SAFETY * off / length * slope.abs();
+            let noise = ROUNDING * size + of_layer * left(slope) + bent;
             Edge { layer: self.layer(at), slope, noise }
         };
-        let ends: Vec<(usize, f64)> = zones.iter().flat_map(Zone::free_ends).collect();
-        let slopes = solved.slopes(&ends.iter().map(|(_, at)| *at).collect::<Vec<_>>());
+        let of_zone = |zone: &Zone| {
+            let length = zone.length();
+            zone.free_ends().map(move |(side, at)| (length, side, at))
+        };
+        let ends: Vec<(f64, usize, f64)> = zones.iter().flat_map(of_zone).collect();
+        let slopes = solved.slopes(&ends.iter().map(|(_, _, at)| *at).collect::<Vec<_>>());
         ends.into_iter().zip(slopes).map(edge).collect()
     }
 }

@@ -12,13 +12,14 @@ use crate::contact::zones::Zone;
 use crate::line_search::Point;
 use crate::solver::AIM;
 
-/// The answer from one that is coarse: `next` gives the resolution that follows on another, and none where there are no more.
+/// The answer from one that is coarse: `next` gives the resolution that follows on another, and none where there are no more; whether the first of two differences is that from one far coarser.
 ///
 /// # Errors
 /// Those of the resolutions.
 pub(super) fn refined<F: Field>(
     base: &Base,
     coarse: Solved<F>,
+    is_far: bool,
     mut next: impl FnMut(&Solved<F>, usize) -> Result<Option<Solved<F>>, Error>,
 ) -> Result<Solved<F>, Error> {
     let tolerance = base.problem().solver().tolerance.unwrap_or(AIM);
@@ -29,7 +30,7 @@ pub(super) fn refined<F: Field>(
         let is_over = base.problem().deadline().is_past();
         let mut ends = is_over;
         if let Some(before) = before {
-            finer.stated = stated(base, &finer, [&before, &change]);
+            finer.stated = stated(base, &finer, is_far, [&before, &change]);
             let sizes = finer.state.sizes(finer.largest());
             ends |= finer.stated.accuracy.relative(&sizes) <= tolerance;
             ends |= F::RATIO.is_some() && is_settled(&finer, &before, &change);
@@ -95,14 +96,14 @@ fn difference<F: Field>(base: &Base, fine: &Solved<F>, coarse: &Solved<F>) -> Ch
 }
 
 /// The error of the finest of three resolutions, and that of its edges.
-fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Stated {
+fn stated<F: Field>(base: &Base, fine: &Solved<F>, is_far: bool, changes: [&Change; 2]) -> Stated {
     let (highest, rounding) = (fine.largest(), pressure_rounding(fine));
     let sizes = fine.state.sizes(highest);
     let pressures = changes.map(|change| change.pressure);
     let (trust, compared) = match F::RATIO {
         Some(ratio) => (Trust::new(base.smoothness, ratio, pressures, rounding, highest), sizes),
         // What is added up in the displacements.
-        None => (Trust::plain(), Sizes { displacement: fine.size(), ..sizes }),
+        None => (Trust::plain(is_far), Sizes { displacement: fine.size(), ..sizes }),
     };
     let length = fine.nodes.zones.iter().map(Zone::length).sum();
     let (accuracy, edge) = trust.accuracy(base.load, changes, &compared, length);
@@ -113,7 +114,7 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Sta
     let accuracy = Accuracy { pressure, ..accuracy };
     let is_unknown = F::RATIO.is_none() && base.smoothness == Smoothness::Unknown;
     let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
-    let edge = edge.max((fine.rounding() + fine.at_ends.layer) / fine.gentlest(base));
+    let edge = edge.max(fine.rounding() / fine.gentlest(base)) + SAFETY * fine.at_ends.off;
     let stated = Stated { accuracy, edge };
     // Two resolutions may agree because neither was solved any further.
     fine.raised(stated, fine.unsolved * fine.deepest(), &fine.stiffness())

@@ -313,11 +313,13 @@ impl Base {
         zones.map(|zone| self.arranged(zone)).collect()
     }
 
-    /// A zone as it lies about the axis of a disk, where a ring whose hole closes becomes a disk, or about a bend that only rounding keeps from its middle.
+    /// A zone as it lies about the axis of a disk, where a ring whose hole closes becomes a disk, or about a bend that only rounding keeps from its middle, where its halves are looked at.
     pub(super) fn arranged(&self, mut zone: Zone) -> Zone {
         if !self.ground.is_disk() {
             let (middle, half) = (zone.middle(), 0.5 * zone.length());
-            let bend = self.breaks.iter().find(|at| (*at - middle).abs() <= zone.rounding());
+            let is_there = |at: &&f64| (*at - middle).abs() <= zone.rounding();
+            let halves = self.ground.exponent() > 0.0;
+            let bend = self.breaks.iter().find(is_there).filter(|_| halves);
             if let Some(at) = bend.filter(|_| zone.is_free(0) && zone.is_free(1)) {
                 zone.ends = [at - half, at + half];
             }

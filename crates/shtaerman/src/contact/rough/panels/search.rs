@@ -120,7 +120,7 @@ impl<'b> ManyPanels<'b> {
             }
             _ => Ok(None),
         };
-        let solved = refined(self.base, coarse, next)?;
+        let solved = refined(self.base, coarse, is_steep, next)?;
         let left = self.left(&solved, ALLOWED);
         Ok((solved, left))
     }

@@ -96,7 +96,7 @@ impl<'b> Collocation<'b> {
             let resolution = Resolution::new(&self.base.ground, strength, ends)?;
             settle(self, &solved.nodes.zones, &resolution, Some(solved)).map(Some)
         };
-        refinement::refined(self.base, coarse, next)
+        refinement::refined(self.base, coarse, false, next)
     }
 
     /// Nodes on either side of the middle of a panel that are about right for the longest panel.
