@@ -468,3 +468,24 @@ fn the_largest_pressure_beside_a_bend() {
     assert!((one - two).abs() <= stated * one.abs().max(1.0), "{one} {two} {stated:e}");
     assert!(one != two && stated < 1e-6, "{one} {two} {stated:e}");
 }
+
+/// On graded ground the slope beside an end changes as a power of the distance: an end off by 5e-15 moves the rate of a width by 2e-10 of it.
+#[test]
+fn the_width_on_graded_ground() {
+    let text = |tolerance: f64| {
+        format!(
+            "[foundation]\ngrading_exponent = 0.3\ngrading_modulus = 2216232010.7485943\npoisson_ratio = 0.3\nroughness = 1.2737129764157445e-09\n[punch]\ngeometry = \"pair\"\nouter_half_width = 1.0\ninner_half_gap = 0.6048730566563975\nprofile = \"0.001085770664893205*(cosh(x)-1) + 3.0275506293486488e-05*cos(10.944641187272838*x+1.1662127081907638)\"\n[load]\nsettlement = 0.0006823514946591457\neccentricity = 0\n[solver]\ntolerance = {tolerance:e}\n"
+        )
+    };
+    let [rough, fine] = [1e-12, 1e-13].map(|tolerance| {
+        let contact = shtaerman::file::parse(&text(tolerance), "test").unwrap().solve().unwrap();
+        let found = contact.tangent_sensitivities().unwrap().contact_width;
+        (contact.contact_width(), found)
+    });
+    let of = |(width, found): &(f64, Derivatives)| {
+        0.0006823514946591457 * found.settlement.unwrap() / width
+    };
+    let (one, two, stated) = (of(&rough), of(&fine), rough.1.error + fine.1.error);
+    assert!((one - two).abs() <= stated * one.abs().max(1.0), "{one} {two} {stated:e}");
+    assert!(stated < 1e-8, "{stated:e}");
+}

@@ -229,7 +229,10 @@ fn the_pressure_falls_beside_a_kink_by_the_power_of_the_ground() {
 /// `p(0) = (q + mu)/((q - 1 + mu) B(1/2, (1 + mu)/2)) P/b` under `A |x|^q` with free ends, by `p(s) = C int_|s|^b x^(q-1) (x^2 - s^2)^-beta dx` and its integral; wherever the bend lies on the base.
 #[test]
 fn a_bend_with_a_power_has_the_largest_pressure() {
-    for (mu, power) in [(0.07, 1.15), (0.12, 1.45), (0.4, 1.1), (0.55, 1.7)] {
+    // The last was refused where rounding left the zone unsymmetric by a unit of the machine.
+    let cases =
+        [(0.07, 1.15), (0.12, 1.45), (0.4, 1.1), (0.55, 1.7), (0.11968457790264833, 1.0513)];
+    for (mu, power) in cases {
         for at in [0.0, 0.013, -0.27] {
             let force = 1e-5;
             let profile = format!("1e-4*abs(x - {at})^{power}");
