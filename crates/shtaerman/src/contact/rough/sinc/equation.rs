@@ -207,7 +207,9 @@ impl Equation for Collocation<'_> {
             .flat_map(|(j, zone)| zone.free_ends().map(move |(side, _)| (j, side)));
         solved.at_ends = free.fold(AtEnds::default(), |most, (j, side)| {
             let (layer, step) = solved.end(j, side);
-            AtEnds { layer: most.layer.max(layer.abs()), off: most.off.max(step.abs()) }
+            // Where the layer beside an end is flat there is no step.
+            let off = if step.is_finite() { step.abs() } else { 0.0 };
+            AtEnds { layer: most.layer.max(layer.abs()), off: most.off.max(off) }
         });
         self.spent.set(self.spent.get() + (solved.given.len() as f64).powi(3));
         if self.spent.get() <= self.effort.work { Ok(solved) } else { Err(unknown()) }
