@@ -11,7 +11,7 @@ use super::zones::{EndKind, Zone};
 use crate::Error;
 use crate::line_search::{CUTS, STEPS};
 
-/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).
+/// What an end lacks, as a share of its scale, that is good enough while zones are looked for, and in an answer as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).
 pub(super) const SMALL: f64 = 1e-8;
 pub(super) const FALLING: f64 = 0.9;
 /// So often: ends beside a narrow gap depend on each other, and a single step may lead astray (survey).
@@ -30,7 +30,7 @@ pub(super) struct EndState {
     pub(super) rounding: f64,
     /// What it is held against.
     pub(super) scale: f64,
-    /// Up to this size it is no better known to vanish.
+    /// Up to this size it is no better known to vanish, or need not be.
     pub(super) none: f64,
     /// Up to this size one step more is enough.
     pub(super) enough: f64,
