@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod bent;
+mod born;
 mod conditions;
 mod hidden;
 mod one_punch;

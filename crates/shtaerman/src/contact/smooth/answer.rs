@@ -1,13 +1,14 @@
 //! The answer of smooth contact, whatever the ground.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::base::{Base, SAMPLES, wrapped};
 use super::check::{check, points};
 use super::equation::{FINE, FirstKind};
 use super::pressure::{Pressure, place};
-use super::stated::estimate;
-use crate::contact::accuracy::{Accuracy, Sizes};
+use super::stated::{MOVED, estimate};
+use crate::contact::accuracy::{Accuracy, SAFETY, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
@@ -17,7 +18,7 @@ use crate::contact::search::{ALLOWED, complementary, unknown};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
-use crate::{Error, Load, Rotational};
+use crate::{Error, Load, Rotational, Vertical};
 
 /// Points of a zone that show extremes. At half or twice 16 of 32 answers change, within what they state (survey).
 const PLACES: usize = 256;
@@ -103,36 +104,78 @@ impl<P: Pressure> SmoothContact<P> {
         zones.find(|(_, zone)| zone.contains(at))
     }
 
-    /// How much wider the zones become, and the error of that; of a disk both images of a ring.
-    fn widening(&self, change: &P) -> [f64; 2] {
-        let images = if self.base.ground.is_disk() { 2.0 } else { 1.0 };
-        let mut sum = [0.0; 2];
-        for (j, zone) in self.solved.zones().iter().enumerate() {
-            for (side, _) in zone.free_ends() {
-                let here = self.solved.density(j, side);
-                let moved = images * change.density(j, side).value / here.fall;
-                sum[0] += moved;
-                sum[1] += (moved * here.fall_error / here.fall).abs();
-            }
-        }
-        sum
+    /// The free ends: zone, side and, of a disk, circumference.
+    fn free_ends(&self) -> impl Iterator<Item = (usize, usize, f64)> + '_ {
+        let is_disk = self.base.ground.is_disk();
+        let around = move |at: f64| if is_disk { TAU * at } else { 1.0 };
+        let of_zone = move |(j, zone): (usize, Zone)| {
+            zone.free_ends().map(move |(side, at)| (j, side, around(at)))
+        };
+        self.solved.zones().into_iter().enumerate().flat_map(of_zone)
     }
 
-    /// Rates with what the width may be off by, for changes of what the load prescribes.
+    /// What ends that are off may make of a zone or a gap between two, as a share. What is off at both ends is so along the zone, in its first modes: how a density falls is off by the squares of
+    /// their numbers more, of rates by up to 20 times (survey).
+    fn ends_off(&self) -> f64 {
+        let ends: Vec<[f64; 2]> = self.solved.zones().iter().map(|zone| zone.ends).collect();
+        let lengths = ends.iter().map(|[left, right]| right - left);
+        let gaps = ends.windows(2).map(|pair| pair[1][0] - pair[0][1]);
+        2.0 * SAFETY * SAFETY * self.edge_error / lengths.chain(gaps).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Rates with what they may be off by, for changes of what the load prescribes.
     fn rates(&self, load: &Load, prescribed: [f64; 2], peak: f64) -> Option<[Rates; 2]> {
         let stiffness = self.solved.stiffness();
         let [raise, turn] = stiffness.displaced(load, prescribed);
         let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
         let change = self.solved.change(raise, turn)?;
-        let pressure = match self.touching(self.base.located(peak)) {
-            Some((j, zone)) if self.pressure(peak).is_finite() => {
-                let place = place(&zone, self.base.located(peak));
-                change.on_side(j, place, peak.signum())
-            }
-            _ => 0.0,
+        let units = [self.solved.change(1.0, 0.0)?, self.solved.change(0.0, 1.0)?];
+        let touching = self.touching(self.base.located(peak));
+        let touching = touching.filter(|_| self.pressure(peak).is_finite());
+        let pressure = |change: &P| {
+            touching.map_or(0.0, |(j, zone)| {
+                change.on_side(j, place(&zone, self.base.located(peak)), peak.signum())
+            })
         };
-        let [width, error] = self.widening(&change);
-        Some([[raise, force, -turn, pressure, width], [0.0, 0.0, 0.0, 0.0, error]])
+        let off = self.off(load, &units, &change);
+        let (mut width, ends_off) = ([0.0; 2], self.ends_off());
+        let images = if self.base.ground.is_disk() { 2.0 } else { 1.0 };
+        for (j, side, _) in self.free_ends() {
+            let here = self.solved.density(j, side);
+            let moved = images * change.density(j, side).value / here.fall;
+            // Terms may cancel, what ends do to each of them does not.
+            let [level, turned] = [0, 1].map(|k| units[k].density(j, side).value.abs());
+            let terms = [(raise, level, off[0]), (turn, turned, off[1])];
+            let density: f64 =
+                (terms.iter()).map(|(by, of, off)| of * (ends_off * by.abs() + off)).sum();
+            width[0] += moved;
+            width[1] += ((moved * here.fall_error).abs() + images * density) / here.fall.abs();
+        }
+        let rates = [raise, force, -turn, pressure(&change), width[0]];
+        let of_pressure = off[0] * pressure(&units[0]).abs() + off[1] * pressure(&units[1]).abs();
+        Some([rates, [off[0], off[2], off[1], of_pressure, width[1]]])
+    }
+
+    /// What raise, turn and force of a change are off by as free ends are: one that is off by `e` changes what a displacement carries against another by `MOVED theta0 K_j K_k e`, `K` their
+    /// intensities there (Hadamard's formula), twice as much as a zone alone shows.
+    fn off(&self, load: &Load, units: &[P; 2], change: &P) -> [f64; 3] {
+        let mut carried = [0.0; 2];
+        for (j, side, around) in self.free_ends() {
+            let intensity = |of: &P| self.solved.intensity(j, side) * of.density(j, side).value;
+            let strength = MOVED * self.base.setting.theta0() * around * self.edge_error;
+            for (carried, unit) in carried.iter_mut().zip(units) {
+                *carried += strength * (intensity(unit) * intensity(change)).abs();
+            }
+        }
+        let is_forced = matches!(load.vertical, Vertical::Force(_));
+        let is_turned = !matches!(load.rotational, Rotational::Tilt(_));
+        let open =
+            [if is_forced { carried[0] } else { 0.0 }, if is_turned { carried[1] } else { 0.0 }];
+        let stiffness = self.solved.stiffness();
+        let [one, other] = [[open[0], 0.0], [0.0, open[1]]].map(|o| stiffness.displaced(load, o));
+        let [raise, turn] = [0, 1].map(|k| one[k].abs() + other[k].abs());
+        let force = carried[0] + stiffness.coupling.abs() * turn;
+        [raise, turn, if is_forced { 0.0 } else { force }]
     }
 }
 

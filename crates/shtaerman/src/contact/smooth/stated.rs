@@ -4,14 +4,14 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use super::equation::FirstKind;
 use super::pressure::{Known, Pressure, at_angle};
-use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING};
+use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING, SAFETY};
 use crate::contact::balance::State;
 
 /// Points of a zone at which two resolutions are compared.
 const COMPARISONS: usize = 33;
 
 /// What an end that moves does to the force at a given settlement, over `theta0`, intensities and `D^2/D'` of its density, which is estimated: a quarter of it by theory, as the force on `(-a, a)` is `1/(theta0 ln(2/a))`.
-const MOVED: f64 = PI;
+pub(super) const MOVED: f64 = PI;
 
 /// The largest difference of two functions of the angle of a zone. An irrational share of the step keeps clear of symmetric places, where a kink may be.
 pub(super) fn difference(one: impl Fn(f64) -> f64, other: impl Fn(f64) -> f64) -> f64 {
@@ -28,6 +28,7 @@ pub(super) fn estimate<F: FirstKind>(
 ) -> (Accuracy, f64) {
     let other = equation.compared(solved);
     let zones = solved.zones();
+    let state = solved.state();
     let (level, is_disk) = (solved.change(1.0, 0.0), equation.base().ground.is_disk());
     let (mut pressure, mut edge, mut moved) = (0.0f64, 0.0f64, 0.0);
     for (j, zone) in zones.iter().enumerate() {
@@ -42,17 +43,21 @@ pub(super) fn estimate<F: FirstKind>(
         for (side, at) in zone.free_ends() {
             let here = solved.density(j, side);
             let there = other.as_ref().map_or(f64::INFINITY, |o| o.density(j, side).value);
-            let density = here.value.abs() + (here.value - there).abs() + rounding;
+            // All zones are one system, rounded as the largest, and a height that is rounded presses or relieves its zone.
+            let shared = SAFETY * f64::EPSILON * solved.end(j, side).scale;
+            let of_level = level.as_ref().map_or(0.0, |level| level.density(j, side).value);
+            let height = equation.base().height_in(zone.ends, at);
+            let raised = 0.5 * ROUNDING * (state.settlement.abs() + height.abs()) * of_level.abs();
+            let density =
+                here.value.abs() + (here.value - there).abs() + rounding + shared + raised;
             left = left.max(here.value.abs() * solved.singular(j, side));
             edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
-            let of_level = level.as_ref().map_or(0.0, |level| level.density(j, side).value);
             let around = if is_disk { 2.0 * PI * at } else { 1.0 };
             let strength = around * (solved.intensity(j, side) * density).powi(2);
             moved += (strength * of_level / here.fall).abs().max(0.0); // 0/0 where nothing is left.
         }
         pressure = pressure.max(changed + own + left);
     }
-    let state = solved.state();
     let change = |part: fn(&State) -> f64| {
         let there = other.as_ref().map_or(f64::INFINITY, |other| part(&other.state()));
         (part(&state) - there).abs()
@@ -60,14 +65,14 @@ pub(super) fn estimate<F: FirstKind>(
     let [level, turn] = solved.displacement_rounding();
     let stiffness = solved.stiffness();
     let forced = stiffness.force_settlement * level + stiffness.moment_tilt * turn;
-    let displaced = ROUNDING * state.settlement.abs().max(state.tilt.abs());
+    let rounded = ROUNDING * state.settlement.abs().max(state.tilt.abs());
     // A disk is tilted by its moment alone.
-    let turned = if is_disk { 0.0 } else { displaced };
+    let turned = if is_disk { 0.0 } else { rounded };
     let carried = forced + ROUNDING * state.force.abs().max(state.moment.abs());
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure,
-        settlement: change(|state| state.settlement) + level + displaced,
+        settlement: change(|state| state.settlement) + level + rounded,
         tilt: change(|state| state.tilt) + turn + turned,
         force: change(|state| state.force) + carried,
         moment: change(|state| state.moment) + carried,
