@@ -15,19 +15,25 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
     let largest = solved.deepest().max(f64::MIN_POSITIVE);
     let floor = SAFETY * solved.rounding();
     let layer = |xi: f64| solved.layer_at(xi, base.sampled_height(xi));
-    let layers = |[left, right]: [f64; 2], sign: f64| -> Vec<Point> {
-        let points = points(base, left, right);
-        let layers = solved.layers_at(&points).into_iter();
-        points.into_iter().zip(layers).map(|((xi, _), layer)| (xi, sign * layer)).collect()
-    };
     let mut check = Check { largest, ..Check::none() };
     let zones = &solved.nodes.zones;
     // Of what is its own mirror image one half tells all.
     let is_half = are_images(zones) && base.is_mirrored();
     let from = if is_half { 0.0 } else { f64::NEG_INFINITY };
-    for zone in zones.iter().filter(|zone| zone.right() > from) {
-        let points = layers([zone.left().max(from), zone.right()], -1.0);
-        let (points, values) = with_tops(&points, |xi| -layer(xi));
+    let within = |[left, right]: [f64; 2]| (right > from).then_some([left.max(from), right]);
+    let inside: Vec<[f64; 2]> = zones.iter().filter_map(|zone| within(zone.ends)).collect();
+    let gaps: Vec<[f64; 2]> = outside(&base.pieces, zones).into_iter().filter_map(within).collect();
+    // All at once, for as many processors as there are.
+    let parts: Vec<Vec<Point>> =
+        inside.iter().chain(&gaps).map(|[left, right]| points(base, *left, *right)).collect();
+    let mut layers = solved.layers_at(&parts.concat()).into_iter();
+    let mut parts = parts.into_iter().map(|mut part| {
+        part.iter_mut().zip(&mut layers).for_each(|(point, layer)| point.1 = layer);
+        part
+    });
+    for mut part in parts.by_ref().take(inside.len()) {
+        part.iter_mut().for_each(|point| point.1 = -point.1);
+        let (points, values) = with_tops(&part, |xi| -layer(xi));
         check.add_tension(&points, &values, [largest, allowed * largest + floor]);
     }
     check.missed = check.missed.max(check.tension * largest - floor);
@@ -40,9 +46,8 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
         !check.pulling.is_empty() && !nodes.any(|(at, given)| pulls(at, given));
     // What is compared outside is of the size of its terms.
     let scale = solved.size() + solved.state.settlement.abs() + solved.state.tilt.abs();
-    let gaps = outside(&base.pieces, zones).into_iter();
-    for [left, right] in gaps.filter(|[_, right]| *right > from) {
-        let (points, values) = with_tops(&layers([left.max(from), right], 1.0), layer);
+    for part in parts {
+        let (points, values) = with_tops(&part, layer);
         check.add_penetration(&points, &values, [scale, allowed, floor]);
     }
     if is_half { check.with_images() } else { check }
