@@ -29,13 +29,22 @@ pub(super) fn run(arguments: &BookArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     outputs.result(None, format!("{}\n", shown(&page)));
     outputs.write()?;
-    if !arguments.no_browser
-        && let Err(error) = shtaerman_explore::show(&page.to_string_lossy())
-    {
-        warn(&format!("no browser could be opened ({error}): open the file yourself"));
+    if !arguments.no_browser {
+        show(&page);
     }
     Ok(())
 }
+
+#[cfg(not(target_family = "wasm"))]
+fn show(page: &Path) {
+    if let Err(error) = shtaerman_explore::show(&page.to_string_lossy()) {
+        warn(&format!("no browser could be opened ({error}): open the file yourself"));
+    }
+}
+
+/// In a browser there is one, and this command is not reached.
+#[cfg(target_family = "wasm")]
+fn show(_page: &Path) {}
 
 /// The folder of a built book: the one that was named, else the first of the usual ones that has one.
 fn folder(arguments: &BookArguments) -> Result<PathBuf, Failure> {
