@@ -320,6 +320,8 @@ impl PanelField {
     #[must_use]
     pub fn values(&self, places: &[f64]) -> Vec<f64> {
         let mut values = vec![0.0; places.len()];
+        // All processors make them, which within a part would be one.
+        self.sources();
         let share = places.len().div_ceil(parts_of(EVALUATION * places.len())).max(1);
         let parts = places.chunks(share).zip(values.chunks_mut(share));
         each(parts.collect(), |(places, values)| {

@@ -1,11 +1,14 @@
 //! Work in parts that do not depend on each other, on all processors: what is found is the same to the last bit whoever does which part.
 
+use std::cell::Cell;
 use std::num::NonZero;
 use std::sync::{Mutex, OnceLock, PoisonError};
-use std::thread::{self, Builder};
+use std::thread;
 
-/// Fewer multiplications than this are done before another thread has begun.
-const WORTH: usize = 1 << 19;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+/// Fewer multiplications than this are done before another thread is at work on them. At half to four times that traces of 10,000 points take as long (survey).
+const WORTH: usize = 1 << 17;
 /// Parts for each thread: one that is interrupted then keeps the others waiting for no more than its last part.
 const PARTS: usize = 4;
 
@@ -18,22 +21,36 @@ pub(super) fn parts_of(multiplications: usize) -> usize {
     }
 }
 
-/// Does all parts. Where the system gives no thread this one does them alone.
+/// Does all parts. Where the system gives no thread this one does them alone, and so does a thread that is at work on a part: waiting for others, each of which may wait for what it is making, no work would end.
 pub(super) fn each<T: Send>(parts: Vec<T>, work: impl Fn(T) + Sync) {
-    let others = parts.len().min(processors()) - usize::from(!parts.is_empty());
+    thread_local!(static IS_AT_WORK: Cell<bool> = const { Cell::new(false) });
+    let others = parts.len().min(processors()).saturating_sub(1);
+    let may_ask = others > 0 && !IS_AT_WORK.get();
+    let Some(pool) = may_ask.then(pool).flatten() else {
+        return parts.into_iter().for_each(work);
+    };
     let parts = Mutex::new(parts.into_iter());
     let next = || parts.lock().unwrap_or_else(PoisonError::into_inner).next();
     let all = || {
+        IS_AT_WORK.set(true);
         while let Some(part) = next() {
             work(part);
         }
+        IS_AT_WORK.set(false);
     };
-    thread::scope(|scope| {
+    pool.in_place_scope(|scope| {
         for _ in 0..others {
-            let _ = Builder::new().spawn_scoped(scope, all);
+            scope.spawn(|_| all());
         }
         all();
     });
+}
+
+/// Threads beside the one that asks, begun once: a thread of its own for every piece of work would cost more than small ones take.
+fn pool() -> Option<&'static ThreadPool> {
+    static KNOWN: OnceLock<Option<ThreadPool>> = OnceLock::new();
+    let begun = || ThreadPoolBuilder::new().num_threads(processors() - 1).build().ok();
+    KNOWN.get_or_init(begun).as_ref()
 }
 
 fn processors() -> usize {
