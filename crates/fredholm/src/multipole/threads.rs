@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::num::NonZero;
+use std::process;
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::thread;
 
@@ -46,11 +47,12 @@ pub(super) fn each<T: Send>(parts: Vec<T>, work: impl Fn(T) + Sync) {
     });
 }
 
-/// Threads beside the one that asks, begun once: a thread of its own for every piece of work would cost more than small ones take.
+/// Threads beside the one that asks, begun once: a thread of its own for every piece of work would cost more than small ones take. A process that was forked from another has none of them.
 fn pool() -> Option<&'static ThreadPool> {
-    static KNOWN: OnceLock<Option<ThreadPool>> = OnceLock::new();
+    static KNOWN: OnceLock<(u32, Option<ThreadPool>)> = OnceLock::new();
     let begun = || ThreadPoolBuilder::new().num_threads(processors() - 1).build().ok();
-    KNOWN.get_or_init(begun).as_ref()
+    let (owner, pool) = KNOWN.get_or_init(|| (process::id(), begun()));
+    pool.as_ref().filter(|_| *owner == process::id())
 }
 
 fn processors() -> usize {
