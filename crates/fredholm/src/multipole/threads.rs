@@ -59,3 +59,47 @@ fn processors() -> usize {
     static KNOWN: OnceLock<usize> = OnceLock::new();
     *KNOWN.get_or_init(|| thread::available_parallelism().map_or(1, NonZero::get))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::OnceLock;
+    use std::thread;
+
+    use super::each;
+
+    /// The sum of the numbers below `count`, by parts in parts.
+    fn sum(count: usize) -> usize {
+        let mut rows = vec![vec![0; count]; 16];
+        each(rows.iter_mut().collect(), |row: &mut Vec<usize>| {
+            each(row.iter_mut().enumerate().collect(), |(k, place)| *place = k);
+        });
+        rows.iter().flatten().sum::<usize>() / 16
+    }
+
+    #[test]
+    fn work_within_work_comes_to_an_end() {
+        for count in [0, 1, 2, 1000] {
+            assert_eq!(sum(count), count * count.saturating_sub(1) / 2);
+        }
+    }
+
+    #[test]
+    fn threads_that_share_what_is_made_once_come_to_an_end() {
+        for _ in 0..50 {
+            let once = OnceLock::new();
+            let made = || *once.get_or_init(|| sum(100));
+            thread::scope(|scope| {
+                let asked = || {
+                    // As `PanelField::values` does: before the work, not within it.
+                    let first = made();
+                    let mut found = vec![0; 64];
+                    each(found.iter_mut().collect(), |place: &mut usize| *place = made() + sum(50));
+                    assert_eq!(found, vec![first + 1225; 64]);
+                };
+                for _ in 0..6 {
+                    scope.spawn(asked);
+                }
+            });
+        }
+    }
+}
