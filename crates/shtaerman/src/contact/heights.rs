@@ -85,16 +85,11 @@ impl Setting {
         at_ends(solution, |length, pressure| {
             let distance = |k: i32| length * 0.5f64.powi(k);
             let layer = |k: i32| law.displacement(pressure(distance(k)).max(0.0));
-            // Towards the end the layer falls.
-            let [mut deeper, mut last] = [0, f64::MANTISSA_DIGITS as i32];
-            while last - deeper > 1 {
-                let middle = deeper.midpoint(last);
-                *(if layer(middle) > error { &mut deeper } else { &mut last }) = middle;
-            }
-            match deeper {
-                0 => length,
-                k if k + 1 < f64::MANTISSA_DIGITS as i32 => distance(k),
-                k => distance(k) * error / layer(k),
+            // From the middle towards the end while the layer is deeper than that.
+            match (1..f64::MANTISSA_DIGITS as i32).take_while(|k| layer(*k) > error).last() {
+                None => length,
+                Some(k) if k + 1 < f64::MANTISSA_DIGITS as i32 => distance(k),
+                Some(k) => distance(k) * error / layer(k),
             }
         })
     }

@@ -124,12 +124,18 @@ impl<P: Pressure> SmoothContact<P> {
     }
 
     /// Rates with what they may be off by, for changes of what the load prescribes.
-    fn rates(&self, load: &Load, prescribed: [f64; 2], peak: f64) -> Option<[Rates; 2]> {
+    /// `units` are those by a depth and a turn of 1.
+    fn rates(
+        &self,
+        load: &Load,
+        prescribed: [f64; 2],
+        units: &[P; 2],
+        peak: f64,
+    ) -> Option<[Rates; 2]> {
         let stiffness = self.solved.stiffness();
         let [raise, turn] = stiffness.displaced(load, prescribed);
         let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
         let change = self.solved.change(raise, turn)?;
-        let units = [self.solved.change(1.0, 0.0)?, self.solved.change(0.0, 1.0)?];
         let touching = self.touching(self.base.located(peak));
         let touching = touching.filter(|_| self.pressure(peak).is_finite());
         let pressure = |change: &P| {
@@ -137,7 +143,7 @@ impl<P: Pressure> SmoothContact<P> {
                 change.on_side(j, place(&zone, self.base.located(peak)), peak.signum())
             })
         };
-        let off = self.off(load, &units, &change);
+        let off = self.off(load, units, &change);
         let (mut width, ends_off) = ([0.0; 2], self.ends_off());
         let images = if self.base.ground.is_disk() { 2.0 } else { 1.0 };
         for (j, side, _) in self.free_ends() {
@@ -318,10 +324,11 @@ impl<P: Pressure> Solution for SmoothContact<P> {
             // That no moment is asked for means that a wave cannot tilt.
             load.rotational = self.base.load.rotational;
         }
-        let [by_force, force_error] = self.rates(&load, [1.0, 0.0], peak)?;
+        let units = [self.solved.change(1.0, 0.0)?, self.solved.change(0.0, 1.0)?];
+        let [by_force, force_error] = self.rates(&load, [1.0, 0.0], &units, peak)?;
         let turns = !matches!(load.rotational, Rotational::Eccentricity(_));
         let [by_moment, moment_error] =
-            if turns { self.rates(&load, [0.0, 1.0], peak)? } else { [[0.0; 5]; 2] };
+            if turns { self.rates(&load, [0.0, 1.0], &units, peak)? } else { [[0.0; 5]; 2] };
         let largest = self.pressure(peak);
         let own = [self.state.force, if largest.is_finite() { largest } else { 0.0 }];
         let errors = smooth_rates(&load, [0.0; 2], [force_error, moment_error]);
