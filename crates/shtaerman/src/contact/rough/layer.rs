@@ -84,8 +84,12 @@ impl Base {
         if self.layer.is_linear() {
             return self.strength();
         }
-        let pressure = reference_pressure(self, self.pieces.iter().copied());
-        self.strength() * self.layer.slope(self.layer.displacement(pressure))
+        self.strength() * self.layer.slope(self.depth())
+    }
+
+    /// What the layer gives under about the mean pressure.
+    pub(super) fn depth(&self) -> f64 {
+        self.layer.displacement(reference_pressure(self, self.pieces.iter().copied()))
     }
 }
 

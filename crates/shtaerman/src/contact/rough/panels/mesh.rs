@@ -26,6 +26,8 @@ const POINT: f64 = 0.1;
 const FREE: f64 = 1e-6;
 /// The panel at a kink, where it goes on as `d^2 ln d`, in lengths of the layer (survey).
 const KINK: f64 = 1e-4;
+/// Each of the lengths tried at a tip over the one before.
+const SHORTER: f64 = 0.1;
 /// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential. At half or twice 2 of 16 answers change, within what they state (survey).
 const BENT: f64 = 1e-11;
 /// A place between a half and 1 is rounded by so much at most (rounding).
@@ -90,7 +92,7 @@ impl Anchor {
             fineness.ends * corner
         } else {
             // The seam of a wave that touches all over is no corner, either.
-            fineness.ends * share(KINK, 2.0) * layer
+            at_bend(base, (at, is_left), fineness.ends * share(KINK, 2.0) * layer, fineness)
         };
         let growth = if is_free { FREE_GROWTH } else { GROWTH };
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
@@ -145,6 +147,23 @@ fn at_corner(base: &Base, theta: f64, order: usize) -> f64 {
         let steepness = theta * kernel.value(length / half);
         (power * (OF_A_PLACE / (missed * steepness)).sqrt()).min(LONGEST)
     })
+}
+
+/// The panel at a bend, no longer than at a kink: at a sharp tip the profile itself goes on as a power of the distance. What polynomials miss of it changes the potential by its product with the
+/// share `V` of [`at_corner`], which may not show in the layer.
+fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fineness) -> f64 {
+    let Some((kernel, half)) = base.ground.panel_kernel() else { return longest };
+    let mut length = longest;
+    while length > ROUNDING {
+        let ends = if is_left { [at, at + length] } else { [at - length, at] };
+        let share = base.steepness() / base.ground.strength() * length * kernel.value(length / half);
+        let Shown { missed, .. } = shown(base, ends, fineness.order);
+        if share * missed <= fineness.straight * base.depth() || missed <= base.surface.rounding(at) {
+            break;
+        }
+        length *= SHORTER;
+    }
+    length
 }
 
 /// The panels of all zones from left to right; none where they are too many.
@@ -231,16 +250,20 @@ fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
 /// Places of a panel, from -1 to 1, at which its polynomial is held against the profile (survey).
 const BETWEEN: [f64; 5] = [-0.97, -0.6, 0.13, 0.71, 0.99];
 
-/// Whether the polynomial through so many Chebyshev points shows the profile between them, but for what rounding makes of heights.
-fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
-    let Fineness { order, straight, .. } = fineness;
+/// What a polynomial shows of the profile on a panel: the largest height there, and what is missed between its nodes.
+struct Shown {
+    largest: f64,
+    missed: f64,
+}
+
+/// The polynomial through so many Chebyshev points held against the profile.
+fn shown(base: &Base, [left, right]: [f64; 2], order: usize) -> Shown {
     let middle = 0.5 * (left + right);
     let points = (0..order).map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos());
     let points: Vec<f64> = points.collect();
     let places = points.iter().chain(&BETWEEN).map(|y| middle + 0.5 * (right - left) * y);
     let heights = base.surface.heights(&places.collect::<Vec<_>>());
     let (known, between) = heights.split_at(order);
-    let largest = known.iter().fold(0.0f64, |most, height| most.max(height.abs()));
     let deviation = |(y, height): (&f64, &f64)| {
         let (mut above, mut below) = (0.0, 0.0);
         for (k, (point, height)) in points.iter().zip(known).enumerate() {
@@ -251,10 +274,16 @@ fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bo
         }
         (above / below - height).abs()
     };
-    let mut deviations = BETWEEN.iter().zip(between).map(deviation);
-    let allowed = straight * largest * order as f64;
-    let noise = std::cell::OnceCell::new();
-    deviations.all(|deviation| {
-        deviation <= allowed || deviation <= *noise.get_or_init(|| base.surface.rounding(middle))
-    })
+    Shown {
+        largest: known.iter().fold(0.0, |most, height| height.abs().max(most)),
+        missed: BETWEEN.iter().zip(between).map(deviation).fold(0.0, f64::max),
+    }
+}
+
+/// Whether it shows the profile but for what rounding makes of heights.
+fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
+    let Fineness { order, straight, .. } = fineness;
+    let Shown { largest, missed } = shown(base, [left, right], order);
+    missed <= straight * largest * order as f64
+        || missed <= base.surface.rounding(0.5 * (left + right))
 }
