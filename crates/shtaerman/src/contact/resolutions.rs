@@ -85,8 +85,11 @@ impl Trust {
         sizes: &Sizes,
         length: f64,
     ) -> (Accuracy, f64) {
+        let pressure = self.left([before.pressure, change.pressure], sizes.pressure);
+        // Sums over the pressure are off by the square of what it is off by, whatever their differences happen to be.
+        let least = (pressure / sizes.pressure.max(f64::MIN_POSITIVE)).powi(2).clamp(ROUNDING, 1.0);
         let of = |part: fn(&Change) -> f64, scale: f64, share: f64| {
-            self.left_of_one([part(before), part(change)], scale, share).max(ROUNDING * scale)
+            self.left_of_one([part(before), part(change)], scale, share).max(least * scale)
         };
         // Of those that belong together one may agree by chance, and the others be given.
         let displaced = of(|change| change.settlement.max(change.tilt), sizes.displacement, 1.0);
@@ -96,7 +99,7 @@ impl Trust {
         let carried = carried.max(share * sizes.force);
         let accuracy = Accuracy {
             kind: ErrorKind::Estimate,
-            pressure: self.left([before.pressure, change.pressure], sizes.pressure),
+            pressure,
             settlement: displaced,
             tilt: displaced,
             force: carried,

@@ -70,6 +70,40 @@ fn panels_under_a_tip() {
     agree(TIP, 1e-4);
 }
 
+/// The profile itself goes on from a tip as a power of the distance, and the layer is a hundredth of its height. The number is that of collocation (`sinc`, 796 nodes).
+#[test]
+fn a_tip_under_a_layer_that_bends() {
+    let contact = solve(SHARP, None).unwrap();
+    let (peak, stated) = (contact.peak_pressure(), contact.error().unwrap().pressure);
+    assert!((peak - 603_932.702_524_252).abs() <= stated + 1e-12 * peak, "{peak} {stated}");
+    assert!(stated < 1e-10 * peak, "{stated}");
+    agree(SHARP, 1e-2);
+    agree(SHARP, 1e-8);
+}
+
+/// The last difference of a stiffness is small by chance, as is that of a settlement.
+#[test]
+fn numbers_that_agree_by_chance() {
+    agree(BY_CHANCE, 1e-3);
+    agree(RING, 1e-3);
+}
+
+/// Differences of answers that are all off alike show nothing of it: the largest pressure is at a corner of a pair on ground whose modulus grows with the depth.
+#[test]
+fn sensitivities_at_a_corner() {
+    let found = [Some(1e-2), Some(1e-6), None].map(|tolerance| {
+        solve(CORNER, tolerance).unwrap().sensitivities().unwrap().peak_pressure.unwrap()
+    });
+    let [.., fine] = found;
+    for one in found {
+        for (loose, exact) in [(one.force, fine.force), (one.roughness, fine.roughness)] {
+            let (loose, exact) = (loose.unwrap(), exact.unwrap());
+            let stated = one.error + fine.error;
+            assert!((loose / exact - 1.0).abs() <= stated, "{loose} {exact} {stated}");
+        }
+    }
+}
+
 /// Ends that are not quite where the pressure vanishes change the stiffness to first order, and are themselves off.
 #[test]
 fn ends_of_the_contact() {
@@ -248,4 +282,61 @@ profile = "0.0014024386840956104*(x/1.8220147862093827)^2 + 1.2157982747666053e-
 [load]
 force = 11958197.475235429
 tilt = 0.0
+"#;
+
+const SHARP: &str = r#"[foundation]
+young_modulus = 2149724286.317935
+poisson_ratio = 0.3
+roughness = { coefficient = 7.0534231914577675e-12, exponent = 0.5529366087045061 }
+[punch]
+geometry = "pair"
+outer_half_width = 0.5
+inner_half_gap = 0.06678457611184033
+profile = "8.102998189403375e-06*(((abs(x)-0.28339228805592015)/0.5)^2 + 0.7180998294280827*abs((abs(x)-0.28339228805592015)/0.5)^0.7)"
+[load]
+settlement = 1.8488751726990473e-06
+moment = 0.0
+"#;
+
+const BY_CHANCE: &str = r#"[foundation]
+young_modulus = 2052892188.1641407
+poisson_ratio = 0.11779820950197123
+roughness = { coefficient = 2.8551068395490115e-11, exponent = 0.6561389922495878 }
+[punch]
+geometry = "pair"
+outer_half_width = 0.5
+inner_half_gap = 0.035415218043811154
+profile = "0.000995457329818095*(x/0.5)^2 + 0.0007162564221008636*abs((x-0.02650816168846165)/0.5)^0.7"
+[load]
+force = 230204.1300195686
+moment = 0
+"#;
+
+const RING: &str = r#"[foundation]
+grading_exponent = 0.5
+grading_modulus = 357204075.8531384
+poisson_ratio = 0.4140192895975814
+roughness = 4.8832722902775976e-09
+[punch]
+geometry = "circular"
+radius = 0.7092364953968775
+profile = "1.1792687656830998e-05*(r/0.7092364953968775)^2 + 5.919025094883316e-07*abs((r-0.17659355700855547)/0.7092364953968775)^0.5"
+[load]
+force = 3577.9885785710367
+tilt = 0
+"#;
+
+const CORNER: &str = r#"[foundation]
+grading_exponent = 0.6673450615972678
+grading_modulus = 560048076.5057118
+poisson_ratio = 0.22151838676591235
+roughness = 5.87171181966753e-11
+[punch]
+geometry = "pair"
+outer_half_width = 1.3215687512021308
+inner_half_gap = 0.8852310521216439
+profile = "0.0008596283108138392*(x/1.3215687512021308)^4 + -0.0006642645462876437*abs((x-0.7291362124685298)/1.3215687512021308)^0.5"
+[load]
+force = 1485249.6982352042
+moment = 0
 "#;

@@ -15,7 +15,7 @@ use super::solved::{AtEnds, Solved};
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
-use crate::contact::resolutions::left_by_collocation;
+use crate::contact::resolutions::{Trust, left_by_collocation};
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load};
@@ -175,19 +175,19 @@ fn left_by_ends<F: Field>(solved: &Solved<F>) -> f64 {
     by_gauge * if frame.turns { level.max(turned) } else { level }
 }
 
-/// The last of two resolutions with its difference from the one before, of three whose nodes grow by a ratio with what is left of these.
+/// The last of two resolutions with its difference from the one before, of three with what is left of these, whose nodes may grow by a ratio.
 pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Linearised> {
     let [.., before, last] = levels else { return None };
-    let first = levels.len().checked_sub(3).and_then(|first| levels.get(first)).zip(ratio);
+    let first = levels.len().checked_sub(3).and_then(|first| levels.get(first));
     let errors = std::array::from_fn(|input| {
         let of = |level: &Changes, k: usize| level[input][0][k];
         let mut errors: Rates = std::array::from_fn(|k| {
             let change = (of(last, k) - of(before, k)).abs();
             let left = match first {
-                Some((first, ratio)) => {
+                Some(first) => {
                     let scale = of(last, k).abs().max(f64::MIN_POSITIVE);
                     let earlier = (of(before, k) - of(first, k)).abs();
-                    left_by_collocation([earlier, change], scale, ratio)
+                    left([earlier, change], scale, ratio)
                 }
                 None => SAFETY * change,
             };
@@ -203,14 +203,40 @@ pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Lineari
     Some(Linearised { rates: last.map(|[rates, _]| rates), errors })
 }
 
-/// The error of the stiffness: for all entries the largest difference from a coarser resolution, as one may be nothing by chance.
+/// What is left of a quantity of this size after two differences, of nodes that may grow by a ratio.
+fn left([earlier, change]: [f64; 2], scale: f64, ratio: Option<f64>) -> f64 {
+    match ratio {
+        Some(ratio) => left_by_collocation([earlier, change], scale, ratio),
+        None => Trust::plain(false).left([earlier, change], scale).max(SAFETY * change),
+    }
+}
+
+/// The error of the stiffness: for all entries the largest difference from a coarser resolution, as one may be nothing by chance; of panels all of them may be.
 pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness> {
-    let before = solved.coarser.last().filter(|before| before.responses.is_some())?;
-    let (one, other) = (solved.stiffness().matrix(), before.stiffness().matrix());
-    let entries = one.as_flattened().iter().zip(other.as_flattened());
-    let error = entries
-        .fold(0.0f64, |most, (a, b)| most.max(SAFETY * (a - b).abs()).max(ROUNDING * a.abs()));
-    let largest = one.as_flattened().iter().fold(0.0f64, |most, entry| most.max(entry.abs()));
-    let error = error + SAFETY * left_by_ends(solved) * largest;
+    let known = solved.coarser.iter().chain([solved]).filter(|level| level.responses.is_some());
+    let known: Vec<[f64; 4]> = known.map(|level| flat(&level.stiffness())).collect();
+    let [.., before, last] = &known[..] else { return None };
+    let largest = size(last);
+    let change = size(&difference(last, before));
+    let error = match &known[..] {
+        [first, _, _] if F::RATIO.is_none() => {
+            left([size(&difference(before, first)), change], largest, None)
+        }
+        _ => SAFETY * change,
+    };
+    let error = error.max(ROUNDING * largest) + SAFETY * left_by_ends(solved) * largest;
     Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
+}
+
+fn flat(stiffness: &Stiffness) -> [f64; 4] {
+    let [[force, coupling], [turn, moment]] = stiffness.matrix();
+    [force, coupling, turn, moment]
+}
+
+fn difference(one: &[f64; 4], other: &[f64; 4]) -> [f64; 4] {
+    std::array::from_fn(|k| one[k] - other[k])
+}
+
+fn size(of: &[f64; 4]) -> f64 {
+    of.iter().fold(0.0, |most, part| part.abs().max(most))
 }

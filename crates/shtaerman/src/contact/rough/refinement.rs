@@ -51,7 +51,8 @@ pub(super) fn refined<F: Field>(
     }
     levels.truncate(best + 1);
     let mut found = levels.remove(best);
-    found.coarser = levels.split_off(best.saturating_sub(2));
+    let told = if is_far { 1 } else { 2 };
+    found.coarser = levels.split_off(best.saturating_sub(told));
     Ok(found)
 }
 

@@ -26,8 +26,6 @@ const POINT: f64 = 0.1;
 const FREE: f64 = 1e-6;
 /// The panel at a kink, where it goes on as `d^2 ln d`, in lengths of the layer (survey).
 const KINK: f64 = 1e-4;
-/// Each of the lengths tried at a tip over the one before.
-const SHORTER: f64 = 0.1;
 /// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential. At half or twice 2 of 16 answers change, within what they state (survey).
 const BENT: f64 = 1e-11;
 /// A place between a half and 1 is rounded by so much at most (rounding).
@@ -156,12 +154,14 @@ fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fine
     let mut length = longest;
     while length > ROUNDING {
         let ends = if is_left { [at, at + length] } else { [at - length, at] };
-        let share = base.steepness() / base.ground.strength() * length * kernel.value(length / half);
+        let share =
+            base.steepness() / base.ground.strength() * length * kernel.value(length / half);
         let Shown { missed, .. } = shown(base, ends, fineness.order);
-        if share * missed <= fineness.straight * base.depth() || missed <= base.surface.rounding(at) {
+        if share * missed <= fineness.straight * base.depth() || missed <= base.surface.rounding(at)
+        {
             break;
         }
-        length *= SHORTER;
+        length *= 0.5;
     }
     length
 }

@@ -35,7 +35,7 @@ const LADDER: [Effort; 5] = [
     Effort::new(10, 2.0, STRAIGHT, [1e-11, 1e-9, 1e-6]),
     Effort::new(13, 1.0, STRAIGHT, [1e-14, 1e-12, 1e-7]),
 ];
-/// What is taken of it: all where a tolerance is given, of which the third may be enough, or where there are too many nodes for these.
+/// What is taken of it: all where a tolerance is given that the third may meet, whose error the second shows, or where there are too many nodes for these.
 const STEEP: [usize; 3] = [0, 3, 4];
 const ALL: [usize; LADDER.len()] = [0, 1, 2, 3, 4];
 
@@ -110,7 +110,8 @@ impl<'b> ManyPanels<'b> {
         let fits = |solved: &OnZones, rung: usize| {
             cut(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness).is_ok()
         };
-        let is_steep = self.base.problem().solver().tolerance.is_none()
+        let shown = LADDER[1].fineness.straight;
+        let is_steep = self.base.problem().solver().tolerance.is_none_or(|wanted| wanted <= shown)
             && STEEP.iter().all(|rung| fits(&coarse, *rung));
         let rungs = if is_steep { &STEEP[..] } else { &ALL };
         let next = |solved: &OnZones, level: usize| match rungs.get(level) {
