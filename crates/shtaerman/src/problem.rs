@@ -244,6 +244,13 @@ impl Problem {
         Some(slope / self.bodies.unit(Scaling::displacement))
     }
 
+    /// `f0` and `df0/dxi` at many places.
+    pub(crate) fn dimensionless_tangents(&self, places: &[f64]) -> Vec<[f64; 2]> {
+        let displacement = self.bodies.unit(Scaling::displacement);
+        let tangents = self.profile().tangents(places, self.bodies.half_width());
+        tangents.into_iter().map(|tangent| tangent.map(|part| part / displacement)).collect()
+    }
+
     /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
         let rise = self.profile().rise(c, xi - c, self.bodies.half_width());

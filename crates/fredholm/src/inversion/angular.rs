@@ -12,6 +12,10 @@ pub trait Angular {
     }
     /// `df/dt`, where it is known better than by differences.
     fn slope(&self, angle: f64) -> Option<f64>;
+    /// `f` and `df/dt` at many angles.
+    fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
+        angles.iter().map(|angle| (self.height(*angle), self.slope(*angle))).collect()
+    }
     /// Size of what is taken away from slopes, and leaves its rounding in them.
     fn taken_slope(&self) -> f64 {
         0.0

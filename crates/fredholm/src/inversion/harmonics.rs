@@ -50,10 +50,9 @@ impl Harmonics {
         let (mut mean, mut largest, mut heights) = (0.0, 0.0f64, 0.0f64);
         let share = if is_odd { 2.0 } else { 1.0 } / samples as f64;
         let table = &TABLES[usize::from(samples != SAMPLES[0])];
-        for j in 0..count {
-            let angle = start + step * (j as f64 + 0.5);
-            let value = profile.slope(angle)?;
-            let height = profile.height(angle);
+        let angles: Vec<f64> = (0..count).map(|j| start + step * (j as f64 + 0.5)).collect();
+        for (j, (height, slope)) in profile.tangents(&angles).into_iter().enumerate() {
+            let value = slope?;
             mean += height / count as f64;
             heights = heights.max(height.abs());
             largest = largest.max(value.abs());

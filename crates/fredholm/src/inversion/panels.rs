@@ -310,9 +310,10 @@ impl Builder<'_> {
     fn sample(&self, start: f64, end: f64) -> Sampled {
         let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
         let angles = RULE.nodes.map(|u| middle + half * u);
-        let heights = angles.map(|angle| self.profile.height(angle));
+        let tangents = self.profile.tangents(&angles);
+        let heights: [f64; ORDER] = std::array::from_fn(|k| tangents[k].0);
         let integral = half * heights.iter().zip(&RULE.weights).map(|(h, w)| h * w).sum::<f64>();
-        let slopes = angles.map(|angle| self.profile.slope(angle));
+        let slopes: [Option<f64>; ORDER] = std::array::from_fn(|k| tangents[k].1);
         let is_slope = slopes.iter().all(Option::is_some);
         // Where a formula loses its slope at a place, as that of asin(sin(x)) at a crest, it is that of the panel.
         let secant = (self.profile.height(end) - self.profile.height(start)) / (end - start);

@@ -2,6 +2,7 @@
 
 use super::function::{Binary, Unary};
 use super::value::Value;
+use super::waves::{both, cosine, sine};
 
 /// A value and its derivative to the right.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +24,16 @@ impl Dual {
         (self.value, if self.value.is_nan() { f64::NAN } else { self.slope })
     }
 
+    /// With whether it depends on the variable.
+    pub(super) fn new(value: f64, slope: f64, varies: bool) -> Self {
+        Dual { value, slope, varies }
+    }
+
+    /// Value, slope, and whether it depends on the variable.
+    pub(super) fn known(self) -> (f64, f64, bool) {
+        (self.value, self.slope, self.varies)
+    }
+
     fn derived(value: f64, slope: f64, varies: bool) -> Self {
         Dual { value, slope: if varies { slope } else { 0.0 }, varies }
     }
@@ -34,6 +45,13 @@ impl Value for Dual {
     }
 
     fn unary(function: Unary, u: Self) -> Self {
+        // Both of one angle take little more than one.
+        if let Unary::Sin | Unary::Cos = function {
+            let [[sine], [cosine]] = both([u.value]);
+            let (value, outer) =
+                if function == Unary::Sin { (sine, cosine) } else { (cosine, -sine) };
+            return Dual::derived(value, outer * u.slope, u.varies);
+        }
         let value = function.value(u.value);
         let slope = match function {
             Unary::Negate => -u.slope,
@@ -101,8 +119,8 @@ pub(super) fn outer_slope(function: Unary, u: f64, value: f64) -> f64 {
         Unary::Log10 => 1.0 / (u * LN_10),
         Unary::Log2 => 1.0 / (u * LN_2),
         Unary::Log1p => 1.0 / (1.0 + u),
-        Unary::Sin => u.cos(),
-        Unary::Cos => -u.sin(),
+        Unary::Sin => cosine(u),
+        Unary::Cos => -sine(u),
         Unary::Tan => 1.0 + value * value,
         Unary::Asin => 1.0 / ((1.0 - u) * (1.0 + u)).sqrt(),
         Unary::Acos => -1.0 / ((1.0 - u) * (1.0 + u)).sqrt(),

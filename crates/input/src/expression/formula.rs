@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::compiled::Compiled;
 use super::derivative::Dual;
+use super::duals::Duals;
 use super::enclose::Enclosure;
 use super::error::ExpressionError;
 use super::interval::Interval;
@@ -122,6 +123,25 @@ impl Expression {
     pub fn derivative_along(&self, line: &Line, t: f64) -> (f64, f64) {
         let dual = |index| Dual::variable(line.variable(index, t), line.slope(index));
         self.compiled.run(dual).parts()
+    }
+
+    /// Values and derivatives at several parameters side by side, those of [`derivative_along`](Self::derivative_along) to the last bit for less.
+    pub fn derivatives_along<const COUNT: usize>(
+        &self,
+        line: &Line,
+        t: &[f64; COUNT],
+    ) -> [[f64; COUNT]; 2] {
+        // As compiled for the widest vectors that the processor has.
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || {
+                let duals = |index| {
+                    let values = std::array::from_fn(|k| line.variable(index, t[k]));
+                    Duals::variable(values, line.slope(index))
+                };
+                self.compiled.run(duals).parts()
+            },
+        )
     }
 
     /// `f(c + t) - f(c) - f'(c) t` along a line about the parameter `c`: how far the value leaves the tangent, with the digits that a difference of values loses where

@@ -61,6 +61,7 @@ mod breakpoint;
 mod compiled;
 mod constant;
 mod derivative;
+mod duals;
 mod enclose;
 mod error;
 mod evaluate;

@@ -36,6 +36,18 @@ pub(super) fn cosines<const COUNT: usize>(x: [f64; COUNT]) -> [f64; COUNT] {
     if are_small(&x) { x.map(|x| wave(x, 1)) } else { x.map(cosine) }
 }
 
+/// Sine and cosine of each, those of [`sines`] and [`cosines`] to the last bit.
+#[inline(always)]
+pub(super) fn both<const COUNT: usize>(x: [f64; COUNT]) -> [[f64; COUNT]; 2] {
+    let mut found = [[0.0; COUNT]; 2];
+    let are_small = are_small(&x);
+    for k in 0..COUNT {
+        let pair = if are_small { waves(x[k]) } else { [sine(x[k]), cosine(x[k])] };
+        (found[0][k], found[1][k]) = (pair[0], pair[1]);
+    }
+    found
+}
+
 #[inline(always)]
 fn is_small(x: f64) -> bool {
     x.abs() <= LARGEST
@@ -49,9 +61,22 @@ fn are_small(x: &[f64]) -> bool {
 /// `sin(x + n pi/2)` where `x` is small.
 #[inline(always)]
 fn wave(x: f64, n: u64) -> f64 {
+    let (quarters, rest) = reduced(x);
+    turned(rest, quarters.wrapping_add(n))
+}
+
+/// `sin x` and `cos x` where `x` is small.
+#[inline(always)]
+fn waves(x: f64) -> [f64; 2] {
+    let (quarters, rest) = reduced(x);
+    [turned(rest, quarters), turned(rest, quarters.wrapping_add(1))]
+}
+
+/// The number of quarters of turns in the last bits, with sine and cosine of the rest.
+#[inline(always)]
+fn reduced(x: f64) -> (u64, [f64; 2]) {
     let shifted = x * FRAC_2_PI + WHOLE;
     let quarters = shifted - WHOLE;
-    let n = shifted.to_bits().wrapping_add(n);
     // The rest to twice the digits of one number: `a` and `b` are exact, and so is what their difference has lost.
     let (a, b) = (x - quarters * QUARTER[0], quarters * QUARTER[1]);
     let difference = a - b;
@@ -60,8 +85,12 @@ fn wave(x: f64, n: u64) -> f64 {
     let beyond = lost - quarters * QUARTER[2];
     let y = difference + beyond;
     let tail = (difference - y) + beyond;
-    let (sine, cosine) = (sine_of_rest(y, tail), cosine_of_rest(y, tail));
-    // Of an odd number of quarters the other one, of two or three the negative.
+    (shifted.to_bits(), [sine_of_rest(y, tail), cosine_of_rest(y, tail)])
+}
+
+/// The sine of so many quarters beyond the rest: of an odd number of quarters the other one, of two or three the negative.
+#[inline(always)]
+fn turned([sine, cosine]: [f64; 2], n: u64) -> f64 {
     let odd = (n & 1).wrapping_neg();
     let sign = (n & 2) << 62;
     f64::from_bits(((sine.to_bits() & !odd) | (cosine.to_bits() & odd)) ^ sign)
@@ -147,9 +176,14 @@ mod tests {
                     #[inline(always)]
                     || [sines(x), cosines(x)],
                 );
+                let pairs = pulp::Arch::new().dispatch(
+                    #[inline(always)]
+                    || both(x),
+                );
                 let alone = [x.map(sine), x.map(cosine)];
                 let bits = |values: [[f64; 8]; 2]| values.map(|values| values.map(f64::to_bits));
                 assert_eq!(bits(found), bits(alone), "{x:?}");
+                assert_eq!(bits(pairs), bits(alone), "{x:?}");
             }
         }
     }

@@ -189,6 +189,25 @@ impl Profile {
         }
     }
 
+    /// `f` and `df/dxi` at many places, those of [`height`](Self::height) and [`slope`](Self::slope).
+    pub(crate) fn tangents(&self, places: &[f64], half_width: f64) -> Vec<[f64; 2]> {
+        let alone = |xi: &f64| {
+            [self.height(*xi, half_width), self.slope(*xi, half_width).unwrap_or(f64::NAN)]
+        };
+        let Shape::Expression(expression) = &self.shape else {
+            return places.iter().map(alone).collect();
+        };
+        let line = line(half_width);
+        let mut tangents = Vec::with_capacity(places.len());
+        let (beside, rest) = places.as_chunks::<BESIDE>();
+        for xi in beside {
+            let [heights, slopes] = expression.derivatives_along(&line, xi);
+            tangents.extend(heights.into_iter().zip(slopes).map(|(height, slope)| [height, slope]));
+        }
+        tangents.extend(rest.iter().map(alone));
+        tangents
+    }
+
     /// `f(c + t) - f(c) - f'(c) t` in `xi`; of an expression without the loss of digits in that difference where `t` is small.
     #[must_use]
     pub(crate) fn rise(&self, c: f64, t: f64, half_width: f64) -> f64 {

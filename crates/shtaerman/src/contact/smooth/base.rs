@@ -255,6 +255,15 @@ impl Base {
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
     }
 
+    /// Heights and slopes at many places.
+    pub(super) fn tangents(&self, places: &[f64]) -> Vec<[f64; 2]> {
+        let problem = self.setting.problem();
+        let work = work::DERIVATIVE * work::share(problem.profile().operations());
+        self.deadline().spend(work * places.len() as f64);
+        let own: Vec<f64> = places.iter().map(|xi| self.own(*xi)).collect();
+        problem.dimensionless_tangents(&own)
+    }
+
     /// The same for Abel's transforms, by polynomials where they are sooner known.
     pub(super) fn quick_slope(&self, xi: f64) -> f64 {
         self.deadline().spend(work::SLOPE);

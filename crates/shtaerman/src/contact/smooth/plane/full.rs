@@ -37,6 +37,15 @@ impl Angular for Turn<'_> {
     fn slope(&self, angle: f64) -> Option<f64> {
         self.0.has_slope().then(|| self.0.slope(angle / PI) / PI)
     }
+
+    fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
+        let places: Vec<f64> = angles.iter().map(|angle| angle / PI).collect();
+        if !self.0.has_slope() {
+            return self.0.heights(&places).into_iter().map(|height| (height, None)).collect();
+        }
+        let tangents = self.0.tangents(&places).into_iter();
+        tangents.map(|[height, slope]| (height, Some(slope / PI))).collect()
+    }
 }
 
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.

@@ -45,6 +45,16 @@ impl<'b> OnZone<'b> {
         self.zone.inside(xi)
     }
 
+    /// `df/dt` given that of the place.
+    fn turned(&self, slope: f64, angle: f64) -> f64 {
+        (self.mean - slope) * 0.5 * self.zone.length() * angle.sin()
+    }
+
+    /// What is taken away from the height.
+    fn level(&self, angle: f64) -> f64 {
+        self.mean * 0.5 * self.zone.length() * angle.cos()
+    }
+
     fn farthest(&self) -> f64 {
         self.zone.left().abs().max(self.zone.right().abs())
     }
@@ -52,8 +62,7 @@ impl<'b> OnZone<'b> {
 
 impl Angular for OnZone<'_> {
     fn height(&self, angle: f64) -> f64 {
-        let level = self.mean * 0.5 * self.zone.length() * angle.cos();
-        self.base.height(self.position(angle)) - level
+        self.base.height(self.position(angle)) - self.level(angle)
     }
 
     fn rounding(&self, height: f64, slope: f64) -> f64 {
@@ -71,6 +80,19 @@ impl Angular for OnZone<'_> {
 
     fn slope(&self, angle: f64) -> Option<f64> {
         let slope = self.base.has_slope().then(|| self.base.slope(self.position(angle)))?;
-        Some((self.mean - slope) * 0.5 * self.zone.length() * angle.sin())
+        Some(self.turned(slope, angle))
+    }
+
+    fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
+        let places: Vec<f64> = angles.iter().map(|angle| self.position(*angle)).collect();
+        if !self.base.has_slope() {
+            let heights = self.base.heights(&places).into_iter().zip(angles);
+            return heights.map(|(height, angle)| (height - self.level(*angle), None)).collect();
+        }
+        let tangents = self.base.tangents(&places).into_iter().zip(angles);
+        let tangent = |([height, slope], angle): ([f64; 2], &f64)| {
+            (height - self.level(*angle), Some(self.turned(slope, *angle)))
+        };
+        tangents.map(tangent).collect()
     }
 }
