@@ -120,16 +120,28 @@ const LAST: usize = 3;
 const MOST_PIECES: usize = 2048;
 const MOST_HALVINGS: usize = 24;
 
-/// Ends of pieces on each of which a function is a polynomial of low degree but for a share of its largest value, between places where it may bend: it has two waves there at most, and a few places show them,
+/// The Chebyshev nodes, and the last Chebyshev polynomials there.
+static LOW_NODES: LazyLock<[f64; LOW]> = LazyLock::new(|| low_cosines(1));
+static LAST_COSINES: LazyLock<[[f64; LOW]; LAST]> =
+    LazyLock::new(|| std::array::from_fn(|k| low_cosines(LOW - LAST + k)));
+
+fn low_cosines(degree: usize) -> [f64; LOW] {
+    std::array::from_fn(|q| (FRAC_PI_2 * ((2 * q + 1) * degree) as f64 / LOW as f64).cos())
+}
+
+/// Ends of pieces on each of which a function, given at many places at a time, is a polynomial of low degree but for a share of its largest value, between places where it may bend: it has two waves there at most, and a few places show them,
 /// however small they are beside the rest of it.
 #[must_use]
-pub fn few_waves(ends: &[f64], f: impl Fn(f64) -> f64, share: f64) -> Vec<f64> {
-    let values = |[from, to]: [f64; 2]| -> [f64; LOW] {
-        let node = |q: usize| (FRAC_PI_2 * (2 * q + 1) as f64 / LOW as f64).cos();
-        std::array::from_fn(|q| f(0.5 * (from + to) + 0.5 * (to - from) * node(q)))
+pub fn few_waves(ends: &[f64], f: impl Fn(&[f64]) -> Vec<f64>, share: f64) -> Vec<f64> {
+    let of = |pieces: Vec<[f64; 2]>| -> Vec<([f64; 2], [f64; LOW])> {
+        let nodes = pieces.iter().flat_map(|[from, to]| {
+            let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+            LOW_NODES.iter().map(move |node| middle + half * node)
+        });
+        let values = f(&nodes.collect::<Vec<_>>());
+        pieces.into_iter().zip(values.as_chunks().0.iter().copied()).collect()
     };
-    let of = |ends: [f64; 2]| (ends, values(ends));
-    let mut pieces: Vec<_> = ends.windows(2).map(|pair| of([pair[0], pair[1]])).collect();
+    let mut pieces = of(ends.windows(2).map(|pair| [pair[0], pair[1]]).collect());
     let mut known = ends.to_vec();
     let mut largest = 0.0f64;
     for _ in 0..MOST_HALVINGS {
@@ -144,7 +156,7 @@ pub fn few_waves(ends: &[f64], f: impl Fn(f64) -> f64, share: f64) -> Vec<f64> {
             [[*from, middle], [middle, *to]]
         });
         known.extend(pieces.iter().map(|([from, to], _)| from.midpoint(*to)));
-        pieces = halves.map(of).collect();
+        pieces = of(halves.collect());
     }
     known.sort_by(f64::total_cmp);
     known.dedup();
@@ -153,9 +165,8 @@ pub fn few_waves(ends: &[f64], f: impl Fn(f64) -> f64, share: f64) -> Vec<f64> {
 
 /// Whether the last coefficients of the polynomial through values at Chebyshev nodes vanish.
 fn is_low(values: &[f64; LOW], none: f64) -> bool {
-    let cosine = |q: usize, k: usize| (FRAC_PI_2 * ((2 * q + 1) * k) as f64 / LOW as f64).cos();
-    let last = (LOW - LAST..LOW).map(|k| {
-        let terms = values.iter().enumerate().map(|(q, value)| value * cosine(q, k));
+    let last = LAST_COSINES.iter().map(|cosines| {
+        let terms = values.iter().zip(cosines).map(|(value, cosine)| value * cosine);
         terms.sum::<f64>().abs() * 2.0 / LOW as f64
     });
     last.fold(0.0, f64::max) <= none
@@ -167,20 +178,23 @@ mod tests {
 
     use super::*;
 
+    fn marked(ends: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
+        few_waves(ends, |places| places.iter().map(|x| f(*x)).collect(), 1e-8)
+    }
+
     #[test]
     fn small_waves_are_shown_wherever_they_are() {
         for (size, wave) in [(1.0, 3.0), (1e-3, 40.0), (1e-6, 271.3), (1e-5, 900.0)] {
-            let f = |x: f64| x + size * (wave * x).cos();
-            let ends = few_waves(&[-1.0, 0.2, 1.0], f, 1e-8);
+            let ends = marked(&[-1.0, 0.2, 1.0], |x| x + size * (wave * x).cos());
             assert!(ends.contains(&0.2) && ends[0] == -1.0 && ends[ends.len() - 1] == 1.0);
             let longest = ends.windows(2).fold(0.0f64, |most, pair| most.max(pair[1] - pair[0]));
             assert!(longest * wave < 2.5 * 2.0 * PI, "{size} {wave}: {longest}");
             assert!(ends.len() < 40 + 2 * wave as usize, "{wave}: {}", ends.len());
         }
         // What is smooth is one piece, what is steep somewhere is halved there alone, and noise ends.
-        assert_eq!(few_waves(&[0.0, 1.0], |x| x.powi(5), 1e-8), [0.0, 1.0]);
-        assert!(few_waves(&[0.0, 1.0], |x| x.sqrt().recip(), 1e-8).len() < 60);
-        assert!(few_waves(&[0.0, 1.0], |x| (1e30 * x).sin(), 1e-8).len() <= MOST_PIECES);
+        assert_eq!(marked(&[0.0, 1.0], |x| x.powi(5)), [0.0, 1.0]);
+        assert!(marked(&[0.0, 1.0], |x| x.sqrt().recip()).len() < 60);
+        assert!(marked(&[0.0, 1.0], |x| (1e30 * x).sin()).len() <= MOST_PIECES);
     }
 
     #[test]

@@ -171,11 +171,14 @@ impl Base {
             require(self.setting.is_unilateral(), "profile", at, requirement)?;
             self.walls.add_step(place, rise);
         }
-        let slope = |xi: f64| if self.has_slope() { self.slope(xi) } else { self.height(xi) };
+        let slopes = |places: &[f64]| match self.has_slope() {
+            true => self.tangents(places).into_iter().map(|[_, slope]| slope).collect(),
+            false => self.heights(places),
+        };
         let marked = |[left, right]: &[f64; 2]| {
             let inside = self.cuts().into_iter().filter(|at| left < at && at < right);
             let ends: Vec<f64> = [*left].into_iter().chain(inside).chain([*right]).collect();
-            few_waves(&ends, slope, UNSEEN)
+            few_waves(&ends, slopes, UNSEEN)
         };
         self.marks = self.pieces.iter().flat_map(marked).collect();
         let is_clear = || self.load.keeps_clear(self.samples.iter().flatten());
