@@ -120,6 +120,24 @@ pub(crate) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Poi
     (inner[best], values[best])
 }
 
+/// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
+pub(crate) fn positive(
+    f: &impl Fn(&[f64]) -> Vec<f64>,
+    points: &[Point],
+    none: f64,
+) -> Vec<[f64; 2]> {
+    let Some((first, last)) = points.first().zip(points.last()) else { return Vec::new() };
+    let pairs = points.windows(2).map(|pair| [pair[0], pair[1]]);
+    let pairs = pairs.filter(|[one, other]| (one.1 > 0.0) != (other.1 > 0.0));
+    let edges = crossings(f, pairs, none);
+    // Edges in turn open and close a zone.
+    let begins = (first.1 > 0.0).then_some(first.0);
+    let ends = (last.1 > 0.0).then_some(last.0);
+    let edges: Vec<f64> = begins.into_iter().chain(edges).chain(ends).collect();
+    let zones = edges.as_chunks::<2>().0.iter().copied();
+    zones.filter(|[left, right]| left < right).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

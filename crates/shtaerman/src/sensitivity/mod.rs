@@ -5,7 +5,7 @@ mod tangent;
 
 use serde::Serialize;
 
-use crate::{Contact, Error, ErrorKind, Rotational, Vertical};
+use crate::{Contact, Error, ErrorKind, Errors, Rotational, Vertical};
 
 /// Derivatives of the answer, by its linearised equation or by central differences of complete solves.
 ///
@@ -118,4 +118,11 @@ fn values(contact: &Contact) -> Values {
         contact.peak_pressure(),
         contact.contact_width(),
     ]
+}
+
+/// What is stated of their errors, but for the width.
+fn errors(contact: &Contact) -> Values {
+    let known =
+        |errors: Errors| [errors.settlement, errors.force, errors.tilt, errors.pressure, 0.0];
+    contact.error().map_or([0.0; QUANTITIES], known)
 }

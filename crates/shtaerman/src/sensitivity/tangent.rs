@@ -12,7 +12,7 @@
 //!
 //! `dq/d ln f = (w q - F q + (1 - kappa) D q)/kappa - G q`.
 
-use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use super::{Derivatives, QUANTITIES, Sensitivities, Values, errors, values};
 use crate::bodies::Bodies;
 use crate::contact::{Linearised, Rates};
 use crate::{Contact, Layering, Scaling, Vertical};
@@ -37,9 +37,10 @@ impl Contact {
         let mut derivatives = [Derivatives::default(); QUANTITIES];
         // No derivative is known better than the solution.
         let floor = self.known_to();
-        let values = values(&self.stated());
+        let stated = self.stated();
+        let (values, errors) = (values(&stated), errors(&stated));
         for (k, slot) in derivatives.iter_mut().enumerate() {
-            units.fill(slot, k, &found, values[k], floor);
+            units.fill(slot, k, &found, [values[k], errors[k]], floor);
         }
         let sensitivities = Sensitivities::assembled(self, derivatives);
         sensitivities.is_finite().then_some(sensitivities)
@@ -69,7 +70,14 @@ impl<'c> Units<'c> {
     }
 
     /// The derivatives of a quantity by all parameters.
-    fn fill(&self, slot: &mut Derivatives, k: usize, found: &Linearised, value: f64, floor: f64) {
+    fn fill(
+        &self,
+        slot: &mut Derivatives,
+        k: usize,
+        found: &Linearised,
+        [value, value_error]: Estimated,
+        floor: f64,
+    ) {
         let load = self.contact.problem().load();
         let unit = self.quantities[k];
         let body = [unit * found.rates[0][k], unit * found.errors[0][k]];
@@ -114,7 +122,7 @@ impl<'c> Units<'c> {
             .fold(value.abs(), |most, [rate, _]| most.max(rate.abs()))
             .max(f64::MIN_POSITIVE);
         let error = elasticities.iter().fold(0.0f64, |most, [_, error]| most.max(error.abs()));
-        slot.error = (error / size).max(floor);
+        slot.error = (error.max(value_error) / size).max(floor);
     }
 
     /// By the logarithm of the coefficient of the layer.

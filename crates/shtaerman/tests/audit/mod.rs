@@ -7,6 +7,7 @@
 
 mod beside_bends;
 mod beside_kinks;
+mod beside_tips;
 #[path = "../../examples/audit_survey/coarse.rs"]
 mod coarse;
 mod cross_check;

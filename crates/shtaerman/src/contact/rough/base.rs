@@ -3,6 +3,8 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
+use fredholm::basis::Shown;
+
 use super::coarse;
 use super::layer::Layer;
 use super::surface::{Surface, Tangent};
@@ -140,6 +142,11 @@ impl Base {
     pub(super) fn heights(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
         let heights = self.surface.heights(places).into_iter().zip(places);
         heights.map(|(height, xi)| self.problem().checked(*xi, height)).collect()
+    }
+
+    /// What the polynomial through so many points of a panel shows of the profile there.
+    pub(super) fn shown(&self, panel: [f64; 2], order: usize) -> Shown {
+        Shown::new(panel, order, |places| self.surface.heights(places))
     }
 
     /// The wave seen between `cut` and `cut + 2`.

@@ -214,29 +214,19 @@ fn left([earlier, change]: [f64; 2], scale: f64, ratio: Option<f64>) -> f64 {
 /// The error of the stiffness: for all entries the largest difference from a coarser resolution, as one may be nothing by chance; of panels all of them may be.
 pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness> {
     let known = solved.coarser.iter().chain([solved]).filter(|level| level.responses.is_some());
-    let known: Vec<[f64; 4]> = known.map(|level| flat(&level.stiffness())).collect();
+    let known: Vec<[[f64; 2]; 2]> = known.map(|level| level.stiffness().matrix()).collect();
     let [.., before, last] = &known[..] else { return None };
-    let largest = size(last);
-    let change = size(&difference(last, before));
+    let difference = |one: &[[f64; 2]; 2], other: &[[f64; 2]; 2]| {
+        let entries = one.as_flattened().iter().zip(other.as_flattened());
+        entries.fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
+    };
+    let (largest, change) = (difference(last, &[[0.0; 2]; 2]), difference(last, before));
     let error = match &known[..] {
         [first, _, _] if F::RATIO.is_none() => {
-            left([size(&difference(before, first)), change], largest, None)
+            left([difference(before, first), change], largest, None)
         }
         _ => SAFETY * change,
     };
     let error = error.max(ROUNDING * largest) + SAFETY * left_by_ends(solved) * largest;
     Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
-}
-
-fn flat(stiffness: &Stiffness) -> [f64; 4] {
-    let [[force, coupling], [turn, moment]] = stiffness.matrix();
-    [force, coupling, turn, moment]
-}
-
-fn difference(one: &[f64; 4], other: &[f64; 4]) -> [f64; 4] {
-    std::array::from_fn(|k| one[k] - other[k])
-}
-
-fn size(of: &[f64; 4]) -> f64 {
-    of.iter().fold(0.0, |most, part| part.abs().max(most))
 }

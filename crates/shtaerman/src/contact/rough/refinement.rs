@@ -31,8 +31,7 @@ pub(super) fn refined<F: Field>(
         let mut ends = is_over;
         if let Some(before) = before {
             finer.stated = stated(base, &finer, is_far, [&before, &change]);
-            let sizes = finer.state.sizes(finer.largest());
-            ends |= finer.stated.accuracy.relative(&sizes) <= tolerance;
+            ends |= finer.known_to() <= tolerance;
             ends |= F::RATIO.is_some() && is_settled(&finer, &before, &change);
             // A layer that bends and pulls is no answer, however well it is known.
             let known_to = SAFETY * finer.stated.accuracy.pressure;
@@ -118,7 +117,8 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, is_far: bool, changes: [&Chan
     let edge = edge.max(fine.rounding() / fine.gentlest(base)) + SAFETY * fine.at_ends.off;
     let stated = Stated { accuracy, edge };
     // Two resolutions may agree because neither was solved any further.
-    fine.raised(stated, fine.unsolved * fine.deepest(), &fine.stiffness())
+    let missed = fine.unsolved * fine.deepest() + fine.missed_at_tips(base);
+    fine.raised(stated, missed, &fine.stiffness())
 }
 
 /// What polynomials through so many points miss of a power of the distance from an end, some, as a share of it at the other end.
@@ -127,6 +127,11 @@ pub(super) fn missed_of_power(points: usize, power: f64) -> f64 {
 }
 
 impl<F: Field> Solved<F> {
+    /// What is stated, relative to the sizes of all.
+    pub(super) fn known_to(&self) -> f64 {
+        self.stated.accuracy.relative(&self.state.sizes(self.largest()))
+    }
+
     /// What is stated with what a kernel that is not known to all digits leaves in a displacement.
     pub(super) fn stated_with_kernel(&self, base: &Base, stiffness: &Stiffness) -> Stated {
         let missed = base.ground.kernel_error() * self.strength * self.state.force.abs();
@@ -156,6 +161,31 @@ impl<F: Field> Solved<F> {
             })
         });
         ends.fold(f64::INFINITY, f64::min)
+    }
+
+    /// What polynomials miss of the profile on the panels at its bends, in the displacement there: at sharp tips these are as short as places are rounded at all finenesses, so that no difference tells.
+    fn missed_at_tips(&self, base: &Base) -> f64 {
+        let Some((kernel, half)) = base.ground.panel_kernel().filter(|_| F::RATIO.is_none()) else {
+            return 0.0;
+        };
+        let (panels, order) = (&self.nodes.panels, self.nodes.a_panel());
+        let missed = |at: &f64| -> f64 {
+            let Some(zone) = self.nodes.zone(*at) else { return 0.0 };
+            let own = &panels[self.nodes.panels_of(zone)];
+            let after = own.partition_point(|[left, right]| left.midpoint(*right) < *at);
+            let slope = self.layer.slope(self.layer_at(*at, base.height(*at)));
+            let steepness = self.strength * slope / base.ground.strength();
+            let beside = [(after.checked_sub(1), -1.0), (Some(after), 1.0)].into_iter();
+            let beside = beside.filter_map(|(panel, side)| Some((own.get(panel?)?, side)));
+            let of_panel = |([left, right], side): (&[f64; 2], f64)| {
+                let length = right - left;
+                let beyond = at + side * length;
+                let missed = base.shown([at.min(beyond), at.max(beyond)], order).missed;
+                steepness * length * kernel.value(length / half) * missed
+            };
+            beside.map(of_panel).fold(0.0, f64::max)
+        };
+        base.breaks.iter().map(missed).fold(0.0, f64::max)
     }
 
     /// What polynomials miss on the panels at corners. There the pressure goes on as a power of the distance of its own size; at all finenesses they may be as short as numbers allow, so that no

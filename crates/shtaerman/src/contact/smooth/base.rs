@@ -171,9 +171,11 @@ impl Base {
             require(self.setting.is_unilateral(), "profile", at, requirement)?;
             self.walls.add_step(place, rise);
         }
-        let slopes = |places: &[f64]| match self.has_slope() {
-            true => self.tangents(places).into_iter().map(|[_, slope]| slope).collect(),
-            false => self.heights(places),
+        let slopes = |places: &[f64]| {
+            self.tangents(places)
+                .into_iter()
+                .map(|(height, slope)| slope.unwrap_or(height))
+                .collect()
         };
         let marked = |[left, right]: &[f64; 2]| {
             let inside = self.cuts().into_iter().filter(|at| left < at && at < right);
@@ -258,13 +260,17 @@ impl Base {
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
     }
 
-    /// Heights and slopes at many places.
-    pub(super) fn tangents(&self, places: &[f64]) -> Vec<[f64; 2]> {
+    /// Heights and slopes at many places, where slopes are known better than by differences.
+    pub(super) fn tangents(&self, places: &[f64]) -> Vec<(f64, Option<f64>)> {
+        if !self.has_slope() {
+            return self.heights(places).into_iter().map(|height| (height, None)).collect();
+        }
         let problem = self.setting.problem();
         let work = work::DERIVATIVE * work::share(problem.profile().operations());
         self.deadline().spend(work * places.len() as f64);
         let own: Vec<f64> = places.iter().map(|xi| self.own(*xi)).collect();
-        problem.dimensionless_tangents(&own)
+        let tangents = problem.dimensionless_tangents(&own).into_iter();
+        tangents.map(|[height, slope]| (height, Some(slope))).collect()
     }
 
     /// The same for Abel's transforms, by polynomials where they are sooner known.

@@ -2,6 +2,8 @@
 //!
 //! Lengths are those for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 
+use fredholm::basis::Shown;
+
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::intervals::SLIVER;
 use crate::contact::rough::base::Base;
@@ -151,14 +153,15 @@ fn at_corner(base: &Base, theta: f64, order: usize) -> f64 {
 /// share `V` of [`at_corner`], which may not show in the layer.
 fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fineness) -> f64 {
     let Some((kernel, half)) = base.ground.panel_kernel() else { return longest };
+    let steepness = base.steepness() / base.ground.strength();
+    let allowed = fineness.straight * base.depth();
     let mut length = longest;
     while length > ROUNDING {
-        let ends = if is_left { [at, at + length] } else { [at - length, at] };
-        let share =
-            base.steepness() / base.ground.strength() * length * kernel.value(length / half);
-        let Shown { missed, .. } = shown(base, ends, fineness.order);
-        if share * missed <= fineness.straight * base.depth() || missed <= base.surface.rounding(at)
-        {
+        let beyond = if is_left { at + length } else { at - length };
+        let missed = base.shown([at.min(beyond), at.max(beyond)], fineness.order).missed;
+        let share = steepness * length * kernel.value(length / half);
+        // At a sharp tip itself heights are rounded by a power of the rounding of places.
+        if share * missed <= allowed || missed <= base.surface.rounding(beyond) {
             break;
         }
         length *= 0.5;
@@ -247,43 +250,9 @@ fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
     pieces
 }
 
-/// Places of a panel, from -1 to 1, at which its polynomial is held against the profile (survey).
-const BETWEEN: [f64; 5] = [-0.97, -0.6, 0.13, 0.71, 0.99];
-
-/// What a polynomial shows of the profile on a panel: the largest height there, and what is missed between its nodes.
-struct Shown {
-    largest: f64,
-    missed: f64,
-}
-
-/// The polynomial through so many Chebyshev points held against the profile.
-fn shown(base: &Base, [left, right]: [f64; 2], order: usize) -> Shown {
-    let middle = 0.5 * (left + right);
-    let points = (0..order).map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos());
-    let points: Vec<f64> = points.collect();
-    let places = points.iter().chain(&BETWEEN).map(|y| middle + 0.5 * (right - left) * y);
-    let heights = base.surface.heights(&places.collect::<Vec<_>>());
-    let (known, between) = heights.split_at(order);
-    let deviation = |(y, height): (&f64, &f64)| {
-        let (mut above, mut below) = (0.0, 0.0);
-        for (k, (point, height)) in points.iter().zip(known).enumerate() {
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = sign * (1.0 - point * point).sqrt() / (y - point);
-            above += weight * height;
-            below += weight;
-        }
-        (above / below - height).abs()
-    };
-    Shown {
-        largest: known.iter().fold(0.0, |most, height| height.abs().max(most)),
-        missed: BETWEEN.iter().zip(between).map(deviation).fold(0.0, f64::max),
-    }
-}
-
 /// Whether it shows the profile but for what rounding makes of heights.
 fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
-    let Fineness { order, straight, .. } = fineness;
-    let Shown { largest, missed } = shown(base, [left, right], order);
-    missed <= straight * largest * order as f64
-        || missed <= base.surface.rounding(0.5 * (left + right))
+    let Shown { largest, missed } = base.shown([left, right], fineness.order);
+    let allowed = fineness.straight * largest * fineness.order as f64;
+    missed <= allowed || missed <= base.surface.rounding(0.5 * (left + right))
 }

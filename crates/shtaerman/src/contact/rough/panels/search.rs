@@ -22,7 +22,7 @@ use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
-use crate::line_search::{Point, crossings, top};
+use crate::line_search::{Point, positive, top};
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
 const ROUNDS: usize = 28;
@@ -110,18 +110,32 @@ impl<'b> ManyPanels<'b> {
         let fits = |solved: &OnZones, rung: usize| {
             cut(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness).is_ok()
         };
-        let shown = LADDER[1].fineness.straight;
-        let is_steep = self.base.problem().solver().tolerance.is_none_or(|wanted| wanted <= shown)
-            && STEEP.iter().all(|rung| fits(&coarse, *rung));
-        let rungs = if is_steep { &STEEP[..] } else { &ALL };
-        let next = |solved: &OnZones, level: usize| match rungs.get(level) {
-            // Three tell an error.
-            Some(rung) if level < STEEP.len() || fits(solved, *rung) => {
-                self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some)
-            }
-            _ => Ok(None),
+        let tolerance = self.base.problem().solver().tolerance;
+        let may_be_steep = STEEP.iter().all(|rung| fits(&coarse, *rung));
+        let is_fine = tolerance.is_none_or(|wanted| wanted <= LADDER[1].fineness.straight);
+        let is_steep = may_be_steep && is_fine;
+        let climbed = |coarse: OnZones, is_steep: bool| {
+            let rungs = if is_steep { &STEEP[..] } else { &ALL };
+            let next = |solved: &OnZones, level: usize| match rungs.get(level) {
+                // Three tell an error.
+                Some(rung) if level < STEEP.len() || fits(solved, *rung) => {
+                    self.settled(solved.nodes.zones.clone(), *rung, Some(solved)).map(Some)
+                }
+                _ => Ok(None),
+            };
+            refined(self.base, coarse, is_steep, next)
         };
-        let solved = refined(self.base, coarse, is_steep, next)?;
+        let first = tolerance.and(may_be_steep.then(|| coarse.clone()));
+        let mut solved = climbed(coarse, is_steep)?;
+        // What one way up does not tell the other may.
+        if let Some(coarse) = first
+            && solved.known_to() > tolerance.unwrap_or(f64::INFINITY)
+            && !self.base.problem().deadline().is_past()
+            && let Ok(other) = climbed(coarse, !is_steep)
+            && other.known_to() < solved.known_to()
+        {
+            solved = other;
+        }
         let left = self.left(&solved, ALLOWED);
         Ok((solved, left))
     }
@@ -214,20 +228,6 @@ impl<'b> ManyPanels<'b> {
         };
         self.pieces.iter().flat_map(on_piece).map(|ends| base.zone(ends)).collect()
     }
-}
-
-/// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
-fn positive(f: &impl Fn(&[f64]) -> Vec<f64>, points: &[Point], none: f64) -> Vec<[f64; 2]> {
-    let Some((first, last)) = points.first().zip(points.last()) else { return Vec::new() };
-    let pairs = points.windows(2).map(|pair| [pair[0], pair[1]]);
-    let pairs = pairs.filter(|[one, other]| (one.1 > 0.0) != (other.1 > 0.0));
-    let edges = crossings(f, pairs, none);
-    // Edges in turn open and close a zone.
-    let begins = (first.1 > 0.0).then_some(first.0);
-    let ends = (last.1 > 0.0).then_some(last.0);
-    let edges: Vec<f64> = begins.into_iter().chain(edges).chain(ends).collect();
-    let zones = edges.as_chunks::<2>().0.iter().copied();
-    zones.filter(|[left, right]| left < right).collect()
 }
 
 /// Where the profile bends.

@@ -192,11 +192,6 @@ impl OnRing<'_> {
     fn radius(&self, angle: f64) -> f64 {
         self.ring.zone.inside(self.ring.spot(angle).radius)
     }
-
-    /// `df/dt` given the height above what counts as zero and the slope at a radius.
-    fn turned(&self, [height, slope]: [f64; 2], r: f64, angle: f64) -> f64 {
-        -self.ring.half * angle.sin() * r.sqrt() * (0.5 * height + r * slope)
-    }
 }
 
 impl Angular for OnRing<'_> {
@@ -217,16 +212,7 @@ impl Angular for OnRing<'_> {
     fn slope(&self, angle: f64) -> Option<f64> {
         let r = self.radius(angle);
         let height = self.base.height(r) - self.reference;
-        Some(self.turned([height, self.base.slope(r)], r, angle))
-    }
-
-    fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
-        let radii: Vec<f64> = angles.iter().map(|angle| self.radius(*angle)).collect();
-        let tangents = self.base.tangents(&radii).into_iter().zip(&radii).zip(angles);
-        let tangent = |(([height, slope], r), angle): (([f64; 2], &f64), &f64)| {
-            let height = height - self.reference;
-            (r.sqrt() * height, Some(self.turned([height, slope], *r, *angle)))
-        };
-        tangents.map(tangent).collect()
+        let slope = self.base.slope(r);
+        Some(-self.ring.half * angle.sin() * r.sqrt() * (0.5 * height + r * slope))
     }
 }

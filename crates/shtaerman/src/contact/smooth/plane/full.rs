@@ -40,11 +40,8 @@ impl Angular for Turn<'_> {
 
     fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
         let places: Vec<f64> = angles.iter().map(|angle| angle / PI).collect();
-        if !self.0.has_slope() {
-            return self.0.heights(&places).into_iter().map(|height| (height, None)).collect();
-        }
         let tangents = self.0.tangents(&places).into_iter();
-        tangents.map(|[height, slope]| (height, Some(slope / PI))).collect()
+        tangents.map(|(height, slope)| (height, slope.map(|slope| slope / PI))).collect()
     }
 }
 

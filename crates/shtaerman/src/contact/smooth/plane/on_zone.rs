@@ -85,13 +85,9 @@ impl Angular for OnZone<'_> {
 
     fn tangents(&self, angles: &[f64]) -> Vec<(f64, Option<f64>)> {
         let places: Vec<f64> = angles.iter().map(|angle| self.position(*angle)).collect();
-        if !self.base.has_slope() {
-            let heights = self.base.heights(&places).into_iter().zip(angles);
-            return heights.map(|(height, angle)| (height - self.level(*angle), None)).collect();
-        }
         let tangents = self.base.tangents(&places).into_iter().zip(angles);
-        let tangent = |([height, slope], angle): ([f64; 2], &f64)| {
-            (height - self.level(*angle), Some(self.turned(slope, *angle)))
+        let tangent = |((height, slope), angle): ((f64, Option<f64>), &f64)| {
+            (height - self.level(*angle), slope.map(|slope| self.turned(slope, *angle)))
         };
         tangents.map(tangent).collect()
     }
