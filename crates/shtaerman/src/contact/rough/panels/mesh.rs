@@ -14,8 +14,8 @@ use crate::contact::zones::Zone;
 /// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
 const FREE_GROWTH: f64 = 0.8;
 const GROWTH: f64 = 0.6;
-/// Nearer to such a place than a length of the layer the pressure leaves its limit by a power of the distance, and polynomials may miss as much more of that: the share of this power that panels make
-/// use of. With 1 the stated error of a measured base doubles; with 0.5 it takes a quarter more time.
+/// Nearer to such a place than a length of the layer, and beside measured points anywhere, the pressure leaves its limit by a power of the distance, and polynomials may miss as much more of that: the share
+/// of this power that panels make use of. With 1 the stated error of a measured base doubles; with 0.5 it takes a quarter more time.
 const EASED: f64 = 0.75;
 /// The longest that they get by this, over their distance: there few are left to be saved. Twice changes a measured base by rounding.
 const STEEPEST: f64 = 4.0;
@@ -79,6 +79,7 @@ impl Anchor {
         let share = |share: f64, power: f64| share.powf(power / (power - exponent));
         let side = zone.ends.iter().position(|end| *end == at);
         let is_free = side.is_some_and(|side| zone.is_free(side));
+        let is_point = side.is_none() && base.is_measured();
         let is_corner =
             if side.is_some() { !base.is_joined(zone) } else { base.walls.contains(at) };
         let least = if is_free {
@@ -86,7 +87,7 @@ impl Anchor {
             let kappa = base.layer.exponent();
             let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
             fineness.ends * if base.layer.is_linear() { root } else { root.min(bent) }
-        } else if side.is_none() && base.is_measured() {
+        } else if is_point {
             POINT * layer
         } else if is_corner {
             fineness.ends * corner
@@ -98,9 +99,10 @@ impl Anchor {
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
         let power = if is_corner && !is_free { 1.0 } else { 2.0 };
         let eased = EASED * (power - exponent) / fineness.order as f64;
-        // The pressure at a free end rises over the length of its zone. Farther away than the longest panels ask for none is longer for its distance, and what is missed there is no measure.
+        // The pressure at a free end rises over the length of its zone, and from a measured point that of a smooth contact, too, goes on as `d^2 ln d`. Farther away than the longest panels ask for none
+        // is longer for its distance, and what is missed there is no measure.
         let rise = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
-        let reach = rise.min(fineness.longest / growth);
+        let reach = (if is_point { f64::INFINITY } else { rise }).min(fineness.longest / growth);
         Self { at, is_left, shortest: least.max(ROUNDING), growth, reach, eased }
     }
 
@@ -150,7 +152,7 @@ fn at_corner(base: &Base, theta: f64, order: usize) -> f64 {
 }
 
 /// The panel at a bend, no longer than at a kink: at a sharp tip the profile itself goes on as a power of the distance. What polynomials miss of it changes the potential by its product with the
-/// share `V` of [`at_corner`], which may not show in the layer.
+/// share `V` of [`at_corner`], which may not show in the layer. At the tip itself heights are rounded by a power of the rounding of places, and far less beside it.
 fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fineness) -> f64 {
     let Some((kernel, half)) = base.ground.panel_kernel() else { return longest };
     let steepness = base.steepness() / base.ground.strength();
@@ -160,7 +162,6 @@ fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fine
         let beyond = if is_left { at + length } else { at - length };
         let missed = base.shown([at.min(beyond), at.max(beyond)], fineness.order).missed;
         let share = steepness * length * kernel.value(length / half);
-        // At a sharp tip itself heights are rounded by a power of the rounding of places.
         if share * missed <= allowed || missed <= base.surface.rounding(beyond) {
             break;
         }
