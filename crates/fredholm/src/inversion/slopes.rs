@@ -129,8 +129,8 @@ fn low_cosines(degree: usize) -> [f64; LOW] {
     std::array::from_fn(|q| (FRAC_PI_2 * ((2 * q + 1) * degree) as f64 / LOW as f64).cos())
 }
 
-/// Ends of pieces on each of which a function, given at many places at a time, is a polynomial of low degree but for a share of its largest value, between places where it may bend: it has two waves there at most, and a few places show them,
-/// however small they are beside the rest of it.
+/// Ends of pieces on each of which a function, given at many places at a time, is a polynomial of low degree but for a share of its largest value, between places where it may bend: it has two waves
+/// there at most, and a few places show them, however small they are beside the rest of it.
 #[must_use]
 pub fn few_waves(ends: &[f64], f: impl Fn(&[f64]) -> Vec<f64>, share: f64) -> Vec<f64> {
     let of = |pieces: Vec<[f64; 2]>| -> Vec<([f64; 2], [f64; LOW])> {

@@ -215,7 +215,7 @@ impl Contact {
         let under = breaks.into_iter().take(MOST_CUTS).chain([-1.0, 1.0]);
         let under = under.filter(|xi| self.record.solution.touches(*xi));
         // Beside a step the pressure is that of its side, and largest at one of its neighbours.
-        let height = |xi: f64| problem.profile().height(xi, half_width);
+        let height = |xi: f64| problem.profile().height(xi.clamp(-1.0, 1.0), half_width);
         let numbers = |at: f64| {
             let beside = rise(height, at).map(|_| [at.next_down(), at.next_up()]);
             std::iter::once(at).chain(beside.into_iter().flatten())

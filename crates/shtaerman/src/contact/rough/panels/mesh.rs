@@ -93,7 +93,7 @@ impl Anchor {
             fineness.ends * corner
         } else {
             // The seam of a wave that touches all over is no corner, either.
-            at_bend(base, (at, is_left), fineness.ends * share(KINK, 2.0) * layer, fineness)
+            at_bend(base, zone, (at, is_left), fineness.ends * share(KINK, 2.0) * layer, fineness)
         };
         let growth = if is_free { FREE_GROWTH } else { GROWTH };
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
@@ -153,13 +153,13 @@ fn at_corner(base: &Base, theta: f64, order: usize) -> f64 {
 
 /// The panel at a bend, no longer than at a kink: at a sharp tip the profile itself goes on as a power of the distance. What polynomials miss of it changes the potential by its product with the
 /// share `V` of [`at_corner`], which may not show in the layer. At the tip itself heights are rounded by a power of the rounding of places, and far less beside it.
-fn at_bend(base: &Base, (at, is_left): (f64, bool), longest: f64, fineness: Fineness) -> f64 {
-    let Some((kernel, half)) = base.ground.panel_kernel() else { return longest };
+fn at_bend(base: &Base, zone: &Zone, end: (f64, bool), longest: f64, fineness: Fineness) -> f64 {
+    let ((at, is_left), mut length) = (end, longest);
+    let Some((kernel, half)) = base.ground.panel_kernel() else { return length };
     let steepness = base.steepness() / base.ground.strength();
     let allowed = fineness.straight * base.depth();
-    let mut length = longest;
     while length > ROUNDING {
-        let beyond = if is_left { at + length } else { at - length };
+        let beyond = zone.inside(if is_left { at + length } else { at - length });
         let missed = base.shown([at.min(beyond), at.max(beyond)], fineness.order).missed;
         let share = steepness * length * kernel.value(length / half);
         if share * missed <= allowed || missed <= base.surface.rounding(beyond) {
@@ -251,7 +251,7 @@ fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
     pieces
 }
 
-/// Whether it shows the profile but for what rounding makes of heights.
+/// Whether the polynomial of a panel shows the profile but for what rounding makes of heights.
 fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
     let Shown { largest, missed } = base.shown([left, right], fineness.order);
     let allowed = fineness.straight * largest * fineness.order as f64;
