@@ -11,5 +11,6 @@
 mod cells;
 mod solver;
 
-pub use cells::{logarithm_cells, mean_logarithm, mean_power};
+pub use cells::{centred, galerkin, logarithm_cells, mean_logarithms, mean_powers};
+pub(crate) use cells::{mean_logarithm, mean_power};
 pub use solver::{Complementarity, ComplementaritySolution, Condition};

@@ -1,12 +1,12 @@
 //! The load on cells.
 
-use fredholm::complementarity::{Complementarity, Condition};
+use fredholm::complementarity::{Complementarity, Condition, centred};
 
 use super::super::accuracy::STAGNANT;
 use super::{Cell, Cells};
 use crate::deadline::{Deadline, work};
+use crate::lower_hull::lower_hull;
 use crate::{Error, Load, Rotational, Vertical};
-use crate::{line_search::STEPS, lower_hull::lower_hull};
 
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]
@@ -128,48 +128,20 @@ fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
         (Vertical::Settlement(_), Rotational::Tilt(_)) => {}
         (vertical, _) => {
             // A force in its line, without one an even pressure; at a settlement any force will do that acts in the line.
-            let mass = || roots.iter().map(|root| root * root).sum::<f64>();
-            let lever = || centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>();
-            let arm = load.arm().unwrap_or_else(|| match vertical {
-                Vertical::Force(_) => lever() / mass(),
-                Vertical::Settlement(_) => 0.0,
-            });
-            let density = balanced(centres, roots, arm);
-            let carried: f64 = density.iter().zip(roots).map(|(p, root)| p * root * root).sum();
-            let force = match vertical {
-                Vertical::Force(force) => force,
-                Vertical::Settlement(settlement) => settlement.abs() * mass(),
+            let masses: Vec<f64> = roots.iter().map(|root| root * root).collect();
+            let moment =
+                |values: &[f64]| values.iter().zip(&masses).map(|(v, m)| v * m).sum::<f64>();
+            let mass: f64 = masses.iter().sum();
+            let (force, middle) = match vertical {
+                Vertical::Force(force) => (force, moment(centres) / mass),
+                Vertical::Settlement(settlement) => (settlement.abs() * mass, 0.0),
             };
+            let density = centred(centres, &masses, load.arm().unwrap_or(middle));
+            let carried = moment(&density);
             for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
                 *value = force * p / carried * root;
             }
         }
     }
     values
-}
-
-/// `exp(b x)` with its centre at `arm`: positive whatever the arm.
-fn balanced(centres: &[f64], roots: &[f64], arm: f64) -> Vec<f64> {
-    let density = |slope: f64| -> Vec<f64> {
-        centres.iter().map(|x| (slope * (x - 1f64.copysign(slope))).exp()).collect()
-    };
-    let excess = |slope: f64| -> f64 {
-        let weights = density(slope);
-        let terms = weights.iter().zip(roots).zip(centres);
-        terms.map(|((p, root), x)| p * root * root * (x - arm)).sum()
-    };
-    let (mut low, mut high) = (-1.0, 1.0);
-    // Beyond that all of it is in one cell.
-    let steepest = 1.0 / f64::EPSILON;
-    while excess(low) > 0.0 && low > -steepest {
-        low *= 4.0;
-    }
-    while excess(high) < 0.0 && high < steepest {
-        high *= 4.0;
-    }
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        if excess(middle) < 0.0 { low = middle } else { high = middle }
-    }
-    density(0.5 * (low + high))
 }

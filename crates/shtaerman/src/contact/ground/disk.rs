@@ -4,12 +4,12 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use fredholm::SincOperator;
-use fredholm::complementarity::{mean_logarithm, mean_power};
+use fredholm::complementarity::{mean_logarithms, mean_powers};
 use fredholm::kernel::{Kernel, WeberSonine};
 
 use super::STEP;
 use super::shared::{disk_harmonic, disk_operator};
-use super::{Ground, Hull, SharedKernel};
+use super::{Ground, Hull, SharedKernel, smooth_means};
 use crate::Error;
 
 #[derive(Debug)]
@@ -44,18 +44,16 @@ impl Ground for Disk {
         difference * (at(xi + step) - at(xi - step)) / (2.0 * step)
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
-        let (s, x) = (middle(left), middle(right));
-        let split = self.kernel.split(x, s, x - s);
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
         let exponent = self.exponent();
         // sigma = (d^-mu - 1)/mu
         let singular = if exponent > 0.0 {
-            (mean_power(left, right, exponent) - 1.0) / exponent
+            let powers = mean_powers(lefts, right, exponent).into_iter();
+            powers.map(|mean| (mean - 1.0) / exponent).collect()
         } else {
-            mean_logarithm(left, right)
+            mean_logarithms(lefts, right)
         };
-        split.factor * singular + split.rest
+        smooth_means(&self.kernel, (lefts, right), singular)
     }
 
     fn is_disk(&self) -> bool {

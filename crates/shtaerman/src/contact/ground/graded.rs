@@ -1,7 +1,7 @@
 //! A half-plane whose modulus grows with depth, `E ~ y^mu`, under one punch or a pair: `K = |xi - eta|^-mu`.
 
 use fredholm::Interval;
-use fredholm::complementarity::mean_power;
+use fredholm::complementarity::mean_powers;
 use fredholm::kernel::{Kernel, Power};
 use fredholm::multipole::PanelKernel;
 
@@ -30,8 +30,8 @@ impl Ground for Graded {
         -self.exponent() * self.value(xi, eta)
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        mean_power(left, right, self.exponent())
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
+        mean_powers(lefts, right, self.exponent())
     }
 
     fn exponent(&self) -> f64 {

@@ -4,12 +4,12 @@
 
 use std::sync::Arc;
 
-use fredholm::complementarity::mean_logarithm;
+use fredholm::complementarity::mean_logarithms;
 use fredholm::kernel::{Kernel, TransferPlane};
 
 use super::KERNEL;
 use super::shared::layered_plane;
-use super::{Ground, Hull, half_count_of_layer};
+use super::{Ground, Hull, half_count_of_layer, smooth_means};
 use crate::error::require;
 use crate::{Error, Layering};
 
@@ -112,11 +112,9 @@ impl Ground for Layered {
         self.kernel.reduced_slope((xi - eta).abs())
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
-        let (s, x) = (middle(left), middle(right));
-        let split = self.kernel.split(x, s, x - s);
-        split.factor * -mean_logarithm(left, right) + split.rest
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
+        let singular = mean_logarithms(lefts, right).into_iter().map(|mean| -mean).collect();
+        smooth_means(self.kernel.as_ref(), (lefts, right), singular)
     }
 
     fn strength(&self) -> f64 {

@@ -9,7 +9,7 @@ use fredholm::kernel::{Kernel, TransferDisk};
 
 use super::disk::Disk;
 use super::shared::layered_disk;
-use super::{Ground, Hull, SharedKernel, half_count_of_layer};
+use super::{Ground, Hull, SharedKernel, half_count_of_layer, middle};
 use super::{KERNEL, STEP};
 use crate::{Error, Layering, deadline::work};
 
@@ -51,9 +51,10 @@ impl Ground for LayeredDisk {
         self.whole.reduced_slope(xi, eta) + (xi - eta) * self.remainder_slope(xi, eta)
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
-        self.whole.mean(left, right) + self.kernel.remainder(middle(right), middle(left))
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
+        let remainder = |left: &[f64; 2]| self.kernel.remainder(middle(right), middle(*left));
+        let means = self.whole.means(lefts, right).into_iter().zip(lefts);
+        means.map(|(mean, left)| mean + remainder(left)).collect()
     }
 
     fn entry(&self) -> f64 {

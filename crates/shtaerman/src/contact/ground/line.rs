@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fredholm::SincOperator;
-use fredholm::complementarity::mean_logarithm;
+use fredholm::complementarity::mean_logarithms;
 use fredholm::kernel::{Kernel, Logarithm};
 use fredholm::multipole::PanelKernel;
 
@@ -31,8 +31,8 @@ impl Ground for Line {
         -1.0
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        mean_logarithm(left, right)
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
+        mean_logarithms(lefts, right)
     }
 
     fn local_ends(&self) -> Option<[f64; 2]> {

@@ -29,6 +29,7 @@ use std::sync::Arc;
 
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
+use fredholm::complementarity::galerkin;
 use fredholm::kernel::Kernel;
 use fredholm::multipole::PanelKernel;
 
@@ -58,6 +59,21 @@ fn half_count_of_layer(length: f64, thickness: f64) -> f64 {
     (NODES_A_THICKNESS * length / thickness).min(MOST_TO_BEGIN_WITH)
 }
 
+fn middle([left, right]: [f64; 2]) -> f64 {
+    0.5 * (left + right)
+}
+
+/// The means of a kernel over a cell and those left of it from the means of its singular function; its other parts are taken in the middles.
+fn smooth_means(
+    kernel: &dyn Kernel,
+    (lefts, right): (&[[f64; 2]], [f64; 2]),
+    singular: Vec<f64>,
+) -> Vec<f64> {
+    let x = middle(right);
+    let splits = lefts.iter().map(|left| kernel.split(x, middle(*left), x - middle(*left)));
+    splits.zip(singular).map(|(split, singular)| split.factor * singular + split.rest).collect()
+}
+
 /// Local coordinates `xi = centre + half y`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::contact) struct Hull {
@@ -80,8 +96,8 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
     /// `(xi - eta) dK/dxi` for different points; of a homogeneous plane kernel finite where they meet.
     fn reduced_slope(&self, xi: f64, eta: f64) -> f64;
 
-    /// The mean of `K` over two cells of `xi`, the first the same or left of the second.
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64;
+    /// The means of `K` over one cell of `xi` and each of others that are the same or lie left of it.
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64>;
 
     /// Whether zones are rings about an axis, `r` in place of `xi`.
     fn is_disk(&self) -> bool {
@@ -200,20 +216,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
 
     /// The Galerkin matrix for cells of `xi`, scaled by the roots of their masses; and those masses.
     fn cells(&self, cells: &[[f64; 2]]) -> (Vec<f64>, Vec<f64>) {
-        let count = cells.len();
-        let centre = |i: usize| 0.5 * (cells[i][0] + cells[i][1]);
-        let width = |i: usize| cells[i][1] - cells[i][0];
-        let masses: Vec<f64> = (0..count)
-            .map(|i| if self.is_disk() { centre(i) * width(i) } else { width(i) })
-            .collect();
-        let mut matrix = vec![0.0; count * count];
-        for i in 0..count {
-            for j in 0..=i {
-                let entry = self.mean(cells[j], cells[i]) * (masses[i] * masses[j]).sqrt();
-                matrix[i * count + j] = entry;
-                matrix[j * count + i] = entry;
-            }
-        }
-        (matrix, masses)
+        let mass = |cell: &[f64; 2]| {
+            let width = cell[1] - cell[0];
+            if self.is_disk() { middle(*cell) * width } else { width }
+        };
+        let masses: Vec<f64> = cells.iter().map(mass).collect();
+        (galerkin(&masses, |i| self.means(&cells[..=i], cells[i])), masses)
     }
 }

@@ -3,11 +3,11 @@
 
 use std::f64::consts::{PI, TAU};
 
-use fredholm::complementarity::mean_logarithm;
+use fredholm::complementarity::mean_logarithms;
 use fredholm::kernel::{Kernel, LogarithmSine};
 use fredholm::multipole::PanelKernel;
 
-use super::{Ground, Hull};
+use super::{Ground, Hull, middle};
 use crate::Error;
 
 #[derive(Debug)]
@@ -39,18 +39,24 @@ impl Ground for Row {
         if angle == 0.0 { -1.0 } else { -angle / angle.tan() }
     }
 
-    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
+    fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
         let period = self.period;
-        let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
-        let distance = middle(right) - middle(left);
         // Of K with both logarithms taken out, the near one and the one through the gap to the image of the left cell.
-        let ratio = if distance == 0.0 {
-            TAU / (period * period)
-        } else {
-            2.0 * (PI * distance / period).sin() / (distance * (period - distance))
+        let ratio = |distance: f64| {
+            if distance == 0.0 {
+                TAU / (period * period)
+            } else {
+                2.0 * (PI * distance / period).sin() / (distance * (period - distance))
+            }
         };
-        let image = left.map(|end| end + period);
-        mean_logarithm(left, right) + mean_logarithm(right, image) - ratio.ln()
+        // Mirrored, the images lie on the left.
+        let images: Vec<[f64; 2]> =
+            lefts.iter().map(|[start, end]| [-(end + period), -(start + period)]).collect();
+        let through_gap = mean_logarithms(&images, [-right[1], -right[0]]);
+        let means = mean_logarithms(lefts, right).into_iter().zip(through_gap).zip(lefts);
+        means
+            .map(|((near, far), left)| near + far - ratio(middle(right) - middle(*left)).ln())
+            .collect()
     }
 
     fn is_closed(&self) -> bool {
