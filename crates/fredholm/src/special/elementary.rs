@@ -55,17 +55,21 @@ pub(crate) fn logarithms_of_one_and(numbers: &mut [f64]) {
 
 /// Replaces each number by its power, `x^exponent`, to 2 units in the last place. `|exponent| <= 1`.
 pub(crate) fn powers(numbers: &mut [f64], exponent: f64) {
-    let power = Power::new(exponent);
     vectorised(
         #[inline(always)]
-        || {
-            replace(
-                numbers,
-                #[inline(always)]
-                |x| power.of(x),
-                |x| x.powf(exponent),
-            );
-        },
+        || powers_within(numbers, exponent),
+    );
+}
+
+/// The same as part of a function that is vectorised itself.
+#[inline(always)]
+pub(crate) fn powers_within(numbers: &mut [f64], exponent: f64) {
+    let power = Power::new(exponent);
+    replace(
+        numbers,
+        #[inline(always)]
+        |x| power.of(x),
+        |x| x.powf(exponent),
     );
 }
 

@@ -10,7 +10,7 @@ mod oscillatory_tail;
 mod poles;
 
 pub use cosine_integral::cosine_integral_pi;
-pub(crate) use elementary::{logarithms, logarithms_of_one_and, powers};
+pub(crate) use elementary::{logarithms, logarithms_of_one_and, powers, powers_within};
 pub use elliptic::arithmetic_geometric_mean;
 pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
 pub use macdonald::macdonald;

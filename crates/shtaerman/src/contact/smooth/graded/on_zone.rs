@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use fredholm::inversion::ultraspherical::{displaced, gains, norms};
+use fredholm::inversion::ultraspherical::{gains, norms};
 use fredholm::inversion::{AbelTransform, Kink, Powers, Series, Shape, Symmetry, Weight};
 
 use super::super::base::Base;
@@ -17,7 +17,7 @@ const MOST_BREAKS: usize = 320;
 const SAMPLES: usize = 8;
 
 /// Polynomials by which the surface beside a zone feels its kinks: so many are felt a hundredth of the half-length from its ends; nearer integrals are as cheap (theory).
-const FELT: usize = 256;
+pub(super) const FELT: usize = 256;
 
 /// A slope as a function of the place, or of the distance from the middle of a zone.
 type Slope = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
@@ -169,15 +169,14 @@ impl OnZone {
         heights
     }
 
+    /// The first [`FELT`] `a_n` of the kinks, if there are any.
+    pub(super) fn felt(&self, powers: &Powers) -> &[f64] {
+        let count = if self.kinks.is_empty() { 0 } else { FELT };
+        self.felt.get_or_init(|| self.heights_of_kinks(powers, count))
+    }
+
     /// What the kinks add to the displacement beside the zone, at `|y| = 1 + excess` on the side of a sign.
     pub(super) fn beside(&self, powers: &Powers, excess: f64, side: f64) -> f64 {
-        if self.kinks.is_empty() {
-            return 0.0;
-        }
-        let felt = self.felt.get_or_init(|| self.heights_of_kinks(powers, FELT));
-        if let Some(sum) = displaced(powers, felt, excess, side) {
-            return -sum;
-        }
         let r = self.half * (1.0 + excess);
         let kinks = self.kinks.iter().map(|kink| kink.displacement(powers, r, side));
         powers.beside() * kinks.sum::<f64>()

@@ -11,11 +11,11 @@
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
-use fredholm::inversion::ultraspherical::Ripple;
+use fredholm::inversion::ultraspherical::{Ripple, displaced, felt};
 use fredholm::inversion::{AbelTransform, Kink, Place};
 
 use super::Ground;
-use super::on_zone::OnZone;
+use super::on_zone::{FELT, OnZone};
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 use crate::contact::zones::Zone;
 
@@ -38,6 +38,8 @@ pub(super) struct Strip {
     lowest: [f64; 2],
     /// Made when the pressure is looked at.
     halves: OnceLock<Halves>,
+    /// `a_n` of the displacement but for halves and kinks, and less those of the kinks; made when the surface beside is looked at.
+    heights: OnceLock<[Vec<f64>; 2]>,
 }
 
 impl Strip {
@@ -65,6 +67,7 @@ impl Strip {
             ripple,
             profile,
             halves: OnceLock::new(),
+            heights: OnceLock::new(),
         }
     }
 
@@ -86,7 +89,8 @@ impl Strip {
     pub(super) fn truncated(&self) -> Self {
         let less = self.halves().as_ref().map(less);
         let ripple = self.ripple.truncated(&self.ground.powers);
-        Self { halves: OnceLock::from(less), ripple, ..self.clone() }
+        let heights = OnceLock::new();
+        Self { halves: OnceLock::from(less), ripple, heights, ..self.clone() }
     }
 
     /// Whether there is anything that could be left out.
@@ -224,13 +228,25 @@ impl Strip {
         let (r, side) = (s.abs().max(self.half()), s.signum());
         let excess = (r - self.half()) / self.half();
         let powers = &self.ground.powers;
-        let polynomials = self.ripple.displacement(powers, self.lowest, excess, side);
+        let kinks = self.profile.as_ref().filter(|own| !own.kinks().is_empty());
+        let near = kinks.filter(|_| felt(excess) >= FELT as f64);
+        let [all, less] = self.heights.get_or_init(|| self.heights());
+        let series = displaced(powers, if near.is_some() { all } else { less }, excess, side);
         let halves = self.halves().as_ref().map_or(0.0, |halves| {
             let [even, odd] = halves.each_ref().map(|half| half.displacement(r, 0.0));
             even + odd * side
         });
-        let profile = self.profile.as_ref();
-        polynomials + halves + profile.map_or(0.0, |own| own.beside(powers, excess, side))
+        series + halves + near.map_or(0.0, |own| own.beside(powers, excess, side))
+    }
+
+    fn heights(&self) -> [Vec<f64>; 2] {
+        let powers = &self.ground.powers;
+        let all = self.ripple.heights(powers, self.lowest);
+        let kinks = self.profile.as_ref().map_or(&[][..], |own| own.felt(powers));
+        let mut less = all.clone();
+        less.resize(all.len().max(kinks.len()), 0.0);
+        less.iter_mut().zip(kinks).for_each(|(height, kink)| *height -= kink);
+        [all, less]
     }
 }
 
