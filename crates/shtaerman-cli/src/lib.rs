@@ -8,7 +8,6 @@ pub mod arguments;
 mod clock;
 mod commands;
 mod failure;
-mod heap;
 mod output;
 pub mod plot;
 mod report;
@@ -39,7 +38,7 @@ const BAD_INPUT: u8 = 2;
 /// Runs the command line on the arguments of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    heap::keep_freed_blocks();
+    shtaerman::keep_freed_blocks();
     output::watch_signals();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,

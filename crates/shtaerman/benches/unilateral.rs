@@ -11,6 +11,7 @@ use shtaerman::{
 };
 
 fn main() {
+    shtaerman::keep_freed_blocks();
     println!("{:<58} {:>12} {:>12}", "one thread, best of many, milliseconds", "solve", "audit");
     let force = Vertical::Force(1.0);
     let centric = Rotational::Moment(0.0);

@@ -43,6 +43,7 @@ mod foundation;
 mod geometry;
 mod golden;
 mod grading;
+mod heap;
 mod influence;
 pub mod inverse;
 mod latest;
@@ -68,6 +69,7 @@ mod variation;
 pub use contact::Contact;
 pub use error::Error;
 pub use foundation::Foundation;
+pub use heap::keep_freed_blocks;
 #[doc(inline)]
 pub use load::Load;
 pub use problem::Problem;
