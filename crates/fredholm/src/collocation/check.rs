@@ -137,6 +137,7 @@ impl Check<'_> {
         // An odd number, so that they lie on nodes and between them by turns.
         let stride = (self.finer.panel_count() / ROWS).max(LEAST_STRIDE) | 1;
         let first = if is_even { count / 2 } else { stride / 2 };
+        let mut mirror_images = Vec::new();
         for index in (first..count).step_by(stride) {
             if self.operator.is_corner(masses[index], self.finer.place(index)) {
                 continue;
@@ -147,10 +148,10 @@ impl Check<'_> {
             inside.push((index, difference(index, dot(&row, density))?));
             let image = count - 1 - index;
             if is_even && image != index {
-                inside.push((image, difference(image, dot(&row, &mirrored))?));
+                mirror_images.push((image, difference(image, dot(&row, &mirrored))?));
             }
         }
-        inside.sort_by_key(|(index, _)| *index);
+        let inside = mirror_images.into_iter().rev().chain(inside).collect();
         let rows = boundary_rows(self.kernel, &self.finer, masses);
         let boundaries = rows.chunks_exact(count).zip(solution.boundaries());
         let boundaries = boundaries.map(|(row, u)| solution.parameter() * (u - dot(row, values)));
@@ -166,29 +167,33 @@ impl Check<'_> {
             let start = inside.partition_point(|(index, _)| *index < first);
             let end = inside.partition_point(|(index, _)| *index < first + count);
             let points = &inside[start..end];
-            values.extend((first..first + count).step_by(2).map(|index| between(points, index)));
+            let mut right = 0;
+            for index in (first..first + count).step_by(2) {
+                right += points[right..].iter().take_while(|(point, _)| *point < index).count();
+                values.push(between(points, right, index));
+            }
         }
         values
     }
 }
 
-/// The polynomial through the values at two points on either side of an index, or as many as there are; beyond the last the value there.
-fn between(points: &[(usize, f64)], index: usize) -> f64 {
-    let right = points.partition_point(|(point, _)| *point < index);
+/// The polynomial through the values at two points on either side of an index, or as many as there are; beyond the last the value there. `right` is the first point that is not left of it.
+fn between(points: &[(usize, f64)], right: usize, index: usize) -> f64 {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0.0 };
     if right == 0 || right == points.len() {
         return if right == 0 { first.1 } else { last.1 };
     }
     let nearest = &points[right.saturating_sub(2)..points.len().min(right + 2)];
-    let term = |k: usize| {
-        let (at, value) = nearest[k];
-        let others = nearest.iter().enumerate().filter(|(j, _)| *j != k);
-        let mut ratio = [1.0; 2];
-        for (_, (other, _)) in others {
-            ratio[0] *= index as f64 - *other as f64;
-            ratio[1] *= at as f64 - *other as f64;
+    let count = nearest.len();
+    // Newton's divided differences.
+    let (mut at, mut differences) = ([0.0; 4], [0.0; 4]);
+    for (k, (point, value)) in nearest.iter().enumerate() {
+        (at[k], differences[k]) = (*point as f64 - index as f64, *value);
+    }
+    for order in 1..count {
+        for k in (order..count).rev() {
+            differences[k] = (differences[k] - differences[k - 1]) / (at[k] - at[k - order]);
         }
-        value * (ratio[0] / ratio[1])
-    };
-    (0..nearest.len()).map(term).sum()
+    }
+    (0..count).rev().fold(0.0, |sum, k| differences[k] - at[k] * sum)
 }
