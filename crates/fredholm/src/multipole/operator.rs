@@ -1,5 +1,6 @@
 //! Products of a kernel with functions on panels.
 
+use std::mem;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -30,8 +31,10 @@ pub struct PanelOperator {
     kernel: PanelKernel,
     panels: Arc<Panels>,
     tree: Arc<Tree>,
-    /// The matrices of the leaves, one after the other.
-    near: Vec<f64>,
+    /// The matrices of the leaves, each by itself: those of panels that stay are shared with the operator before, and one block for all would be given back to the system and asked for again with every
+    /// operator, which takes longer than a product.
+    near: Vec<Arc<Vec<f64>>>,
+    /// How many entries those before a leaf have.
     near_starts: Vec<usize>,
 }
 
@@ -55,26 +58,27 @@ impl PanelOperator {
     ) -> Result<Self, Error> {
         let (tree, near_starts) = Self::boxes(kernel, &panels)?;
         let tree = tree.filled(kernel, panels.nodes());
-        let mut near = vec![0.0; near_starts[tree.leaves()]];
         let entries = NearEntries::new(kernel, &panels);
         let other = other.filter(|other| {
             let is_same_tree = other.tree.leaves() == tree.leaves();
             other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
         });
-        let shares = shares(&near_starts, FILLING);
-        let mut rest = &mut near[..];
-        let parts = shares.into_iter().map(|leaves| {
-            let length = near_starts[leaves.end] - near_starts[leaves.start];
-            (leaves, rest.split_off_mut(..length).unwrap_or_default())
-        });
-        each(parts.collect(), |(leaves, mut part)| {
-            for leaf in leaves {
-                let length = near_starts[leaf + 1] - near_starts[leaf];
-                let block = part.split_off_mut(..length).unwrap_or_default();
-                match other.and_then(|other| other.block(leaf, &panels, &tree)) {
-                    Some(known) => block.copy_from_slice(known),
-                    None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
-                }
+        let lengths = near_starts.windows(2).map(|pair| pair[1] - pair[0]);
+        // Asked for by one thread: libraries give back less of what that frees.
+        let mut new: Vec<Vec<f64>> = lengths.clone().map(Vec::with_capacity).collect();
+        let mut near: Vec<Arc<Vec<f64>>> = vec![Arc::default(); tree.leaves()];
+        let mut rest = near.iter_mut().zip(&mut new).zip(lengths).enumerate();
+        let parts = shares(&near_starts, FILLING);
+        let parts = parts.into_iter().map(|leaves| rest.by_ref().take(leaves.len()).collect());
+        each(parts.collect(), |part: Vec<_>| {
+            for (leaf, ((block, new), length)) in part {
+                *block = other.and_then(|other| other.block(leaf, &panels, &tree)).unwrap_or_else(
+                    || {
+                        new.resize(length, 0.0);
+                        entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), new);
+                        Arc::new(mem::take(new))
+                    },
+                );
             }
         });
         Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
@@ -119,7 +123,7 @@ impl PanelOperator {
     }
 
     /// The matrix of a leaf, if it is that of these panels, too.
-    fn block(&self, leaf: usize, panels: &Panels, tree: &Tree) -> Option<&[f64]> {
+    fn block(&self, leaf: usize, panels: &Panels, tree: &Tree) -> Option<Arc<Vec<f64>>> {
         let order = panels.order();
         let is_same = |one: Range<usize>, other: Range<usize>| {
             [one.start % order, one.len()] == [other.start % order, other.len()]
@@ -129,7 +133,7 @@ impl PanelOperator {
         let near = self.tree.near(leaf).into_iter().zip(tree.near(leaf));
         let pairs = near.chain([(own[0].clone(), own[1].clone())]);
         let are_same = pairs.into_iter().all(|(one, other)| is_same(one, other));
-        are_same.then(|| &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]])
+        are_same.then(|| Arc::clone(&self.near[leaf]))
     }
 
     /// The panels.
@@ -141,7 +145,7 @@ impl PanelOperator {
     /// The number of pairs of nodes that are so near that the kernel is integrated for them by themselves: as long as a product takes, and the more so to find the operator.
     #[must_use]
     pub fn near_pairs(&self) -> usize {
-        self.near.len()
+        self.near_starts[self.tree.leaves()]
     }
 
     /// The potential at the nodes of a function with these values there. Missing values are zero, others ignored.
@@ -196,8 +200,7 @@ impl PanelOperator {
         let first = self.tree.nodes_of(leaves.start, leaves.start).start;
         for leaf in leaves {
             let near = self.tree.near(leaf);
-            let block = &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]];
-            let rows = block.chunks_exact(count(&near).max(1));
+            let rows = self.near[leaf].chunks_exact(count(&near).max(1));
             for (node, row) in self.tree.nodes_of(leaf, leaf).zip(rows) {
                 for k in 0..N {
                     let mut sum = Lanes::default();
