@@ -90,7 +90,7 @@ fn what_is_shared_among_processors_has_the_bits_of_one() {
     let alone: Vec<f64> = places.iter().map(|x| field.at(*x)).collect();
     assert_eq!(field.values(&places), alone);
     // Enough for more than one part.
-    assert!(operator.near.len() > 1 << 19, "{}", operator.near.len());
+    assert!(operator.near_pairs() > 1 << 19, "{}", operator.near_pairs());
 }
 
 #[test]
