@@ -30,6 +30,14 @@ pub(crate) fn panels([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
     parts([left, right], breaks.iter().copied().filter(inside))
 }
 
+/// Of items in order of their first number the one that is nearest to a place by that.
+pub(crate) fn nearest(items: &[[f64; 2]], place: f64) -> Option<[f64; 2]> {
+    let after = items.partition_point(|item| item[0] < place);
+    let beside = items.iter().skip(after.saturating_sub(1)).take(2);
+    let distance = |item: &[f64; 2]| (item[0] - place).abs();
+    beside.min_by(|one, two| distance(one).total_cmp(&distance(two))).copied()
+}
+
 /// Indices of numbers, the smallest first.
 fn order(numbers: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..numbers.len()).collect();

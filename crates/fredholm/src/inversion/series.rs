@@ -47,6 +47,12 @@ impl Series {
     pub fn lowest(&self) -> [f64; 2] {
         [0, 1].map(|n| self.modes.get(n).copied().unwrap_or(0.0))
     }
+
+    /// `G_e(b)` and `G_o(b)` of these on a zone of the half-length `half`.
+    pub fn transforms(&self, half: f64) -> [f64; 2] {
+        let [even, odd] = self.lowest();
+        [even, odd / half]
+    }
 }
 
 /// Coefficients by `T_n` between nodes that are doubled until those between are met.

@@ -153,18 +153,21 @@ impl Base {
     pub(super) fn shifted(mut self, cut: f64) -> Self {
         // The ends of a zone do not meet: there the kernel is infinite.
         let window = [cut + BESIDE, cut + 2.0 - BESIDE];
-        let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
-        let inside = |at: &f64| *at > window[0] && *at < window[1];
+        let inside = |[image, _]: &[f64; 2]| *image > window[0] && *image < window[1];
+        let images = |at: f64| [-2.0, 0.0, 2.0].map(|by| [at + by, at]).into_iter().filter(inside);
         // Where the period is joined the profile may bend.
-        let breaks = self.breaks.iter().flat_map(|at| images(*at)).chain([-1.0, 1.0]);
-        let breaks = crate::order::ascending(breaks.filter(inside));
-        let samples =
-            self.samples.iter().flat_map(|&(at, height)| images(at).map(move |at| (at, height)));
-        let mut samples: Vec<(f64, f64)> = samples.filter(|(at, _)| inside(at)).collect();
+        let breaks = self.breaks.iter().copied().chain([-1.0, 1.0]);
+        let mut places: Vec<[f64; 2]> = breaks.flat_map(images).collect();
+        crate::order::sort_by_number(&mut places, |[image, _]| *image);
+        let breaks = crate::order::ascending(places.iter().map(|[image, _]| *image));
+        places.retain(|[image, at]| image != at);
+        let samples = self.samples.iter();
+        let samples = samples.flat_map(|&(at, height)| images(at).map(move |[at, _]| (at, height)));
+        let mut samples: Vec<(f64, f64)> = samples.collect();
         crate::order::sort_by_number(&mut samples, |one| one.0);
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces) = (breaks, samples, vec![window]);
-        self.surface.origin = cut + 1.0;
+        (self.surface.origin, self.surface.images) = (cut + 1.0, places);
         self.coarse = OnceCell::new();
         self.find_steps();
         self

@@ -60,13 +60,16 @@ pub(super) struct Surface {
     has_seam: bool,
     /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
     pub(super) origin: f64,
+    /// Where that part bends beyond the period, in order, and the same on the base.
+    pub(super) images: Vec<[f64; 2]>,
 }
 
 impl Surface {
     pub(super) fn new(setting: &Setting, ground: &dyn Ground) -> Self {
         let (is_disk, is_closed) = (ground.is_disk(), ground.is_closed());
         let has_seam = is_closed && setting.height(-1.0) != setting.height(1.0);
-        Self { setting: setting.clone(), tangent: None, is_disk, is_closed, has_seam, origin: 0.0 }
+        let (setting, images) = (setting.clone(), Vec::new());
+        Self { setting, tangent: None, is_disk, is_closed, has_seam, origin: 0.0, images }
     }
 
     /// `f0(xi)`, or what it has beyond its tangent.
@@ -109,9 +112,16 @@ impl Surface {
         slope.unwrap_or(f64::NAN) / scale - self.tangent.map_or(0.0, |tangent| tangent.slope)
     }
 
-    /// Where a place of the solution lies on the base: a wave without gaps goes on beyond its period.
+    /// Where a place of the solution lies on the base: a wave without gaps goes on beyond its period. There places are counted from the nearest bend, whose own place is rounded: at a sharp tip
+    /// that would be felt.
     pub(super) fn on_base(&self, xi: f64) -> f64 {
-        if self.is_closed && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+        if !self.is_closed || xi.abs() <= 1.0 {
+            return xi;
+        }
+        match crate::order::nearest(&self.images, xi) {
+            Some([image, at]) => (at + (xi - image)).clamp(-1.0, 1.0),
+            None => xi - 2.0 * (0.5 * xi).round(),
+        }
     }
 
     /// Where a place of the base lies in the solution: on a disk the distance from the axis, on a wave without gaps the image about the origin. Ends of a period that differ lie just inside it.

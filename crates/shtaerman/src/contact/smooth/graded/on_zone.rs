@@ -201,39 +201,32 @@ impl OnZone {
 
     /// `G_e(b)`, `G_o(b)`, but for the polynomials from the third on.
     pub(super) fn transforms(&self, powers: &Powers) -> [f64; 2] {
-        let mut sums = match &self.rest {
-            Rest::Smooth(_) => {
-                let [even, odd] = self.lowest();
-                [even, odd / self.half]
-            }
+        let rest = match &self.rest {
+            Rest::Smooth(series) => series.transforms(self.half),
             Rest::Bent(halves) => halves.shapes(powers).map(|shape| shape.transform(self.half)),
         };
-        for kink in &self.kinks {
-            add(&mut sums, kink.transforms(powers));
-        }
-        sums
+        self.with_kinks(rest, |kink| kink.transforms(powers))
     }
 
     /// `mu b int h_e sin t S dt` and `(2+mu)/(1+mu) int h_o sin^(2+mu) t dt`: an even and an odd density of the same force and moment.
     pub(super) fn levers(&self, powers: &Powers) -> [f64; 2] {
         let mu = powers.exponent();
         let scales = [self.half, (2.0 + mu) / (1.0 + mu)];
-        let mut sums = match &self.rest {
-            Rest::Smooth(_) => {
-                let [even, odd] = self.lowest();
-                [even, odd / self.half]
-            }
+        let scaled = |[even, odd]: [f64; 2]| [scales[0] * even, scales[1] * odd];
+        let rest = match &self.rest {
+            Rest::Smooth(series) => series.transforms(self.half),
             Rest::Bent(halves) => {
                 let [even, odd] = halves.shapes(powers);
                 let even = even.integral(self.half, Weight::Lever);
-                [scales[0] * even, scales[1] * odd.integral(self.half, Weight::SineSquared)]
+                scaled([even, odd.integral(self.half, Weight::SineSquared)])
             }
         };
-        for kink in &self.kinks {
-            let [even, odd] = kink.levers(powers);
-            add(&mut sums, [scales[0] * even, scales[1] * odd]);
-        }
-        sums
+        self.with_kinks(rest, |kink| scaled(kink.levers(powers)))
+    }
+
+    fn with_kinks(&self, rest: [f64; 2], part: impl Fn(&Kink) -> [f64; 2]) -> [f64; 2] {
+        let kinks = self.kinks.iter().map(part);
+        kinks.fold(rest, |sums, [even, odd]| [sums[0] + even, sums[1] + odd])
     }
 
     /// `G_e'(b)`, `G_o'(b)` of what is no polynomial, from inside and the [transforms](Self::transforms) at the end.
@@ -244,24 +237,16 @@ impl OnZone {
             let x = self.half * (1.0 - STEP * steps);
             shapes.each_ref().map(|shape| shape.transform(x))
         };
-        let mut ends = ends;
-        for kink in &self.kinks {
-            add(&mut ends, kink.transforms(powers).map(|own| -own));
-        }
+        let ends = self.with_kinks(ends, |kink| kink.transforms(powers).map(|own| -own));
         let [one, two] = [1.0, 2.0].map(at);
-        let mut sums =
+        let rises =
             [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * STEP * self.half));
-        add(&mut sums, self.kink_rises(powers));
-        sums
+        self.with_kinks(rises, |kink| kink.rises(powers))
     }
 
     /// The same of the kinks.
     pub(super) fn kink_rises(&self, powers: &Powers) -> [f64; 2] {
-        let mut sums = [0.0; 2];
-        for kink in &self.kinks {
-            add(&mut sums, kink.rises(powers));
-        }
-        sums
+        self.with_kinks([0.0; 2], |kink| kink.rises(powers))
     }
 
     /// The even and odd transforms of what is neither kink nor polynomial, if there is any.
@@ -269,11 +254,6 @@ impl OnZone {
         let Rest::Bent(halves) = &self.rest else { return None };
         Some(halves.shapes(powers).map(|shape| AbelTransform::new(&shape, self.half)))
     }
-}
-
-fn add(sums: &mut [f64; 2], [even, odd]: [f64; 2]) {
-    sums[0] += even;
-    sums[1] += odd;
 }
 
 /// The jumps of the slope at the cuts.
