@@ -18,6 +18,7 @@ use super::steps::rise;
 use super::stiffness::Stiffness;
 use super::unaudited::Unaudited;
 use super::warning::{Warning, WarningCode};
+use crate::profile::beside::above_tip;
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
 
@@ -154,12 +155,13 @@ impl Contact {
             (sampled.maximum(), sampled.negative())
         };
         let is_round = problem.bodies().is_circular() && contact.is_level();
-        let peak = contact.peak_under_breaks(peak);
+        let (peak, error) = contact.peak_under_breaks(peak);
         let place = if is_round { peak.place.abs() } else { peak.place };
         let peak = Extreme { place, ..peak };
         let peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
         let record = contact.record_mut();
         record.peak = peak;
+        record.accuracy.iter_mut().for_each(|known| known.pressure += error);
         if problem.solver().contact == ContactKind::Bilateral {
             record.tension = tension;
         }
@@ -207,10 +209,10 @@ impl Contact {
         Ok(self)
     }
 
-    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search.
-    fn peak_under_breaks(&self, found: Extreme) -> Extreme {
+    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search. With what it may be off by beside the pressures themselves.
+    fn peak_under_breaks(&self, found: Extreme) -> (Extreme, f64) {
         let problem = &self.record.problem;
-        let half_width = problem.bodies().half_width();
+        let (bodies, half_width) = (problem.bodies(), problem.bodies().half_width());
         let breaks = problem.profile().breakpoints(half_width);
         let under = breaks.into_iter().take(MOST_CUTS).chain([-1.0, 1.0]);
         let under = under.filter(|xi| self.record.solution.touches(*xi));
@@ -220,9 +222,19 @@ impl Contact {
             let beside = rise(height, at).map(|_| [at.next_down(), at.next_up()]);
             std::iter::once(at).chain(beside.into_iter().flatten())
         };
-        let peaks = under.flat_map(numbers);
-        let peaks = peaks.map(|place| Extreme { place, value: self.pressure_at(place) });
-        peaks.fold(found, |best, peak| if peak.value > best.value { peak } else { best })
+        // A tip between two numbers is pressed more than either.
+        let (kappa, unit) = (bodies.law().exponent(), bodies.unit(Scaling::displacement));
+        let peak = |place: f64| {
+            let value = self.pressure_at(place);
+            let lowered = |by: f64, kappa: f64| (value.powf(kappa) + by / unit).powf(1.0 / kappa);
+            let tip = kappa.zip(above_tip(&height, place)).map(|(kappa, [above, error])| {
+                let value = lowered(above, kappa);
+                (Extreme { place, value }, (lowered(above + error, kappa) - value).abs())
+            });
+            tip.unwrap_or((Extreme { place, value }, 0.0))
+        };
+        let peaks = under.flat_map(numbers).map(peak);
+        peaks.fold((found, 0.0), |best, peak| if peak.0.value > best.0.value { peak } else { best })
     }
 
     /// The first end of a zone or kink where the pressure is infinite.

@@ -44,6 +44,59 @@ fn a_tip_sharper_than_numbers_show() {
     assert!(stated < 1e-3 * peak, "{peak} {stated}");
 }
 
+/// A wave with a gap is solved from the middle of that, and its mirror image from elsewhere: beyond the period places are rounded twice as much, and the tip was 5e-6 less deep.
+#[test]
+fn a_tip_beyond_the_period() {
+    let [contact, image] =
+        [WAVE, &WAVE.replace("(x)", "(0-x)")].map(|text| solve(text, None).unwrap());
+    let [own, other] = [&contact, &image].map(|contact| contact.error().unwrap().pressure);
+    let (one, two) = (contact.peak_pressure(), image.peak_pressure());
+    assert!((one - two).abs() <= own + other, "{one} {two} {own} {other}");
+    assert!(own + other < 1e-7 * one, "{one} {own} {other}");
+}
+
+/// Where the formula has its tip between two numbers the largest pressure is not that at either.
+#[test]
+fn a_tip_between_two_numbers() {
+    for power in ["0.3", "0.5"] {
+        let of = |place: &str| {
+            let profile = format!("1e-3*abs({place})^{power} + 5e-4*x^2");
+            let contact = solve(&PLANE.replace("PROFILE", &profile), None).unwrap();
+            (contact.peak_pressure(), contact.error().unwrap().pressure)
+        };
+        // The sum of both is no number, and the nearest one is 0.30000000000000004.
+        let (exact, known) = of("x - 0.30000000000000004");
+        let (peak, stated) = of("x - 0.1 - 0.2");
+        assert!((peak - exact).abs() <= known + stated, "{peak} {exact} {known} {stated}");
+        assert!(known + stated < 1e-5 * peak, "{power}: {known} {stated} {peak}");
+    }
+}
+
+const WAVE: &str = r#"[foundation]
+young_modulus = 8152244861.63938
+poisson_ratio = 0.3
+roughness = 5.409211595531595e-16
+[punch]
+geometry = "periodic"
+period = 2.0
+profile = "5.530827634357385e-05*cos(pi*(x) + 4.129) + 0.00014769601688795526*abs(sin(pi*((x)-0.7469916718292268)/2.0))^0.9688154043891274 + 1.9768052441395283e-05*abs(sin(pi*((x)-0.4013997690709933)/2.0))^0.5"
+[load]
+force = 436319.3042387378
+tilt = 0
+"#;
+
+const PLANE: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-12
+[punch]
+half_width = 1.0
+profile = "PROFILE"
+[load]
+force = 2e5
+moment = 0
+"#;
+
 const SHARP: &str = r#"[foundation]
 young_modulus = 2149724286.317935
 poisson_ratio = 0.3

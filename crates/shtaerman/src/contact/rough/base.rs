@@ -161,9 +161,8 @@ impl Base {
         crate::order::sort_by_number(&mut places, |[image, _]| *image);
         let breaks = crate::order::ascending(places.iter().map(|[image, _]| *image));
         places.retain(|[image, at]| image != at);
-        let samples = self.samples.iter();
-        let samples = samples.flat_map(|&(at, height)| images(at).map(move |[at, _]| (at, height)));
-        let mut samples: Vec<(f64, f64)> = samples.collect();
+        let of_image = |&(at, height): &(f64, f64)| images(at).map(move |[at, _]| (at, height));
+        let mut samples: Vec<(f64, f64)> = self.samples.iter().flat_map(of_image).collect();
         crate::order::sort_by_number(&mut samples, |one| one.0);
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces) = (breaks, samples, vec![window]);

@@ -240,9 +240,8 @@ impl Strip {
     }
 
     fn heights(&self) -> [Vec<f64>; 2] {
-        let powers = &self.ground.powers;
-        let all = self.ripple.heights(powers, self.lowest);
-        let kinks = self.profile.as_ref().map_or(&[][..], |own| own.felt(powers));
+        let all = self.ripple.heights(&self.ground.powers, self.lowest);
+        let kinks = self.profile.as_ref().map_or(&[][..], |own| own.felt(&self.ground.powers));
         let mut less = all.clone();
         less.resize(all.len().max(kinks.len()), 0.0);
         less.iter_mut().zip(kinks).for_each(|(height, kink)| *height -= kink);
