@@ -47,6 +47,17 @@ impl Law {
         }
     }
 
+    /// The pressure under which the layer gives more by so much.
+    pub(crate) fn raised(self, pressure: f64, by: f64) -> f64 {
+        match self {
+            Self::Power(exponent) if by != 0.0 => {
+                (self.displacement(pressure) + by).max(0.0).powf(1.0 / exponent)
+            }
+            Self::Linear => pressure + by,
+            Self::Smooth | Self::Power(_) => pressure,
+        }
+    }
+
     /// `kappa`; none of a smooth surface.
     pub(crate) fn exponent(self) -> Option<f64> {
         match self {

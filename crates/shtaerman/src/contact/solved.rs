@@ -80,6 +80,8 @@ struct Record {
     is_symmetric: bool,
     /// The largest pressure with its place.
     peak: (f64, f64),
+    /// How far that is above the pressure at its place: a tip lies between two numbers.
+    raised: f64,
     kinks: Vec<Kink>,
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
@@ -134,6 +136,7 @@ impl Contact {
             is_level: is_symmetric || problem.is_wave(),
             is_symmetric,
             peak: (0.0, 0.0),
+            raised: 0.0,
             kinks: kinks(&problem, &solution.zones()),
             state: solution.state(),
             solution,
@@ -155,12 +158,11 @@ impl Contact {
             (sampled.maximum(), sampled.negative())
         };
         let is_round = problem.bodies().is_circular() && contact.is_level();
-        let (peak, error) = contact.peak_under_breaks(peak);
+        let (peak, [raised, error]) = contact.peak_under_breaks(peak);
         let place = if is_round { peak.place.abs() } else { peak.place };
-        let peak = Extreme { place, ..peak };
-        let peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
+        let peak = contact.singular_peak().unwrap_or((peak.value, place));
         let record = contact.record_mut();
-        record.peak = peak;
+        (record.peak, record.raised) = (peak, raised);
         record.accuracy.iter_mut().for_each(|known| known.pressure += error);
         if problem.solver().contact == ContactKind::Bilateral {
             record.tension = tension;
@@ -209,10 +211,10 @@ impl Contact {
         Ok(self)
     }
 
-    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search. With what it may be off by beside the pressures themselves.
-    fn peak_under_breaks(&self, found: Extreme) -> (Extreme, f64) {
+    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search. With how far it was raised to that of a tip between two numbers, and what this may be off by.
+    fn peak_under_breaks(&self, found: Extreme) -> (Extreme, [f64; 2]) {
         let problem = &self.record.problem;
-        let (bodies, half_width) = (problem.bodies(), problem.bodies().half_width());
+        let half_width = problem.bodies().half_width();
         let breaks = problem.profile().breakpoints(half_width);
         let under = breaks.into_iter().take(MOST_CUTS).chain([-1.0, 1.0]);
         let under = under.filter(|xi| self.record.solution.touches(*xi));
@@ -223,18 +225,15 @@ impl Contact {
             std::iter::once(at).chain(beside.into_iter().flatten())
         };
         // A tip between two numbers is pressed more than either.
-        let (kappa, unit) = (bodies.law().exponent(), bodies.unit(Scaling::displacement));
+        let (law, unit) = (problem.bodies().law(), problem.bodies().unit(Scaling::displacement));
         let peak = |place: f64| {
             let value = self.pressure_at(place);
-            let lowered = |by: f64, kappa: f64| (value.powf(kappa) + by / unit).powf(1.0 / kappa);
-            let tip = kappa.zip(above_tip(&height, place)).map(|(kappa, [above, error])| {
-                let value = lowered(above, kappa);
-                (Extreme { place, value }, (lowered(above + error, kappa) - value).abs())
-            });
-            tip.unwrap_or((Extreme { place, value }, 0.0))
+            let [above, error] = above_tip(&height, place).unwrap_or_default();
+            let [tip, most] = [above, above + error].map(|by| law.raised(value, by / unit));
+            (Extreme { place, value: tip }, [tip - value, most - tip])
         };
-        let peaks = under.flat_map(numbers).map(peak);
-        peaks.fold((found, 0.0), |best, peak| if peak.0.value > best.0.value { peak } else { best })
+        let (peaks, best) = (under.flat_map(numbers).map(peak), (found, [0.0; 2]));
+        peaks.fold(best, |best, peak| if peak.0.value >= best.0.value { peak } else { best })
     }
 
     /// The first end of a zone or kink where the pressure is infinite.
@@ -353,9 +352,10 @@ impl Contact {
     /// The error of the largest `p0`; none without an audit that bounds it.
     pub(super) fn peak_error(&self) -> Option<f64> {
         let audit = self.found_audit()?;
-        // Where it was found the true pressure is no less than that, and nowhere more than this.
+        // Where it was found the true pressure is no less than that but for what it was raised by, and nowhere more than this.
         let above = audit.highest? - self.peak().0;
-        Some(audit.accuracy.pressure.max(above)).filter(|error| error.is_finite())
+        Some((audit.accuracy.pressure + self.record.raised).max(above))
+            .filter(|error| error.is_finite())
     }
 
     /// The audit that was carried out, or why there is none; none where nobody asked for it.

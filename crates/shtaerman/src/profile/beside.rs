@@ -9,6 +9,8 @@ const NUMBERS: [f64; 3] = [1.0, 4.0, 16.0];
 const DISTANT: [f64; 3] = [256.0, 4096.0, 65536.0];
 /// Doublings of a number that a formula may round places to: beyond that no power is seen at these.
 const COARSEST: u32 = 8;
+/// The share of it to which a height above a tip is known, if there is one.
+const KNOWN: f64 = 0.1;
 /// A power that is no tip: from number to number that rises by a rounding.
 const STRAIGHT: f64 = 0.95;
 /// The least power: what rises less from number to number is rounding of a step.
@@ -113,10 +115,8 @@ pub(crate) fn above_tip(height: &impl Fn(f64) -> f64, place: f64) -> Option<[f64
         (noise > 0.0).then_some([given - left.midpoint(right), (left - right).abs() + noise])
     });
     let [above, error] = found.min_by(|one, two| one[1].total_cmp(&two[1]))?;
-    // What is hardly known is an error.
-    let is_known = error <= 0.1 * above.abs();
-    let stated = if is_known { [above, error] } else { [0.0, above.abs() + error] };
-    (error <= above.abs()).then_some(stated)
+    // What is hardly known may be the rounding of places beside a tip that lies at a number.
+    (error <= KNOWN * above.abs()).then_some([above, error])
 }
 
 #[cfg(test)]

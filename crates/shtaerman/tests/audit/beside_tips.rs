@@ -69,6 +69,12 @@ fn a_tip_between_two_numbers() {
         let (peak, stated) = of("x - 0.1 - 0.2");
         assert!((peak - exact).abs() <= known + stated, "{peak} {exact} {known} {stated}");
         assert!(known + stated < 1e-5 * peak, "{power}: {known} {stated} {peak}");
+        // A bound counts all that lies between both.
+        let profile = format!("1e-3*abs(x - 0.1 - 0.2)^{power} + 5e-4*x^2");
+        let audited = solve(&PLANE.replace("PROFILE", &profile), None).unwrap().with_audit();
+        let bound = audited.error().unwrap().peak_pressure.unwrap();
+        assert_eq!(audited.peak_pressure(), peak);
+        assert!(bound > 10.0 * stated && bound >= (peak - exact).abs(), "{bound} {stated}");
     }
 }
 

@@ -228,8 +228,7 @@ impl Strip {
         let (r, side) = (s.abs().max(self.half()), s.signum());
         let excess = (r - self.half()) / self.half();
         let powers = &self.ground.powers;
-        let kinks = self.profile.as_ref().filter(|own| !own.kinks().is_empty());
-        let near = kinks.filter(|_| felt(excess) >= FELT as f64);
+        let near = self.profile.as_ref().filter(|_| felt(excess) >= FELT as f64);
         let [all, less] = self.heights.get_or_init(|| self.heights());
         let series = displaced(powers, if near.is_some() { all } else { less }, excess, side);
         let halves = self.halves().as_ref().map_or(0.0, |halves| {
