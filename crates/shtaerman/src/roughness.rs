@@ -47,14 +47,15 @@ impl Law {
         }
     }
 
-    /// The pressure under which the layer gives more by so much.
-    pub(crate) fn raised(self, pressure: f64, by: f64) -> f64 {
+    /// By how much a pressure rises where the layer gives more by so much.
+    pub(crate) fn rise(self, pressure: f64, by: f64) -> f64 {
         match self {
-            Self::Power(exponent) if by != 0.0 => {
-                (self.displacement(pressure) + by).max(0.0).powf(1.0 / exponent)
+            Self::Smooth => 0.0,
+            Self::Linear => by,
+            Self::Power(_) if by == 0.0 => 0.0,
+            Self::Power(exponent) => {
+                (self.displacement(pressure) + by).max(0.0).powf(1.0 / exponent) - pressure
             }
-            Self::Linear => pressure + by,
-            Self::Smooth | Self::Power(_) => pressure,
         }
     }
 

@@ -229,8 +229,8 @@ impl Contact {
         let peak = |place: f64| {
             let value = self.pressure_at(place);
             let [above, error] = above_tip(&height, place).unwrap_or_default();
-            let [tip, most] = [above, above + error].map(|by| law.raised(value, by / unit));
-            (Extreme { place, value: tip }, [tip - value, most - tip])
+            let [tip, most] = [above, above + error].map(|by| law.rise(value, by / unit));
+            (Extreme { place, value: value + tip }, [tip, most - tip])
         };
         let (peaks, best) = (under.flat_map(numbers).map(peak), (found, [0.0; 2]));
         peaks.fold(best, |best, peak| if peak.0.value >= best.0.value { peak } else { best })
