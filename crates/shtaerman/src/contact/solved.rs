@@ -233,7 +233,7 @@ impl Contact {
             (Extreme { place, value: value + tip }, [tip, most - tip])
         };
         let (peaks, best) = (under.flat_map(numbers).map(peak), (found, [0.0; 2]));
-        peaks.fold(best, |best, peak| if peak.0.value >= best.0.value { peak } else { best })
+        peaks.fold(best, |best, peak| if peak.0.value > best.0.value { peak } else { best })
     }
 
     /// The first end of a zone or kink where the pressure is infinite.
