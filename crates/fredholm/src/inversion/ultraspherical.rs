@@ -9,8 +9,8 @@ use crate::basis::gegenbauer;
 /// From where on the ratio of neighbours is as good as its limit, in logarithms of their ratio; and at most, which places within some 1e-7 of the half-length beside the zone would pass: with five times as many searches that find no zones took up to 2.6 times as long. Half and twice change none of 32 answers (survey).
 const SETTLED: f64 = 20.0;
 const MOST: f64 = 2e4;
-/// What is below `e^-FELT` of the first is not felt beside it (rounding), and nothing is of what is below `e^-VANISHING`, from which nothing overflows for `y < 1e20` (theory).
-const FELT: f64 = 36.0;
+/// What is below `e^-ROUNDING` of the first is not felt beside it (rounding), and nothing is of what is below `e^-VANISHING`, from which nothing overflows for `y < 1e20` (theory).
+const ROUNDING: f64 = 36.0;
 const VANISHING: f64 = 500.0;
 
 /// `c_n(y)` of the order `lambda = mu/2`, or `mu/2 + 1`, for `n < count`.
@@ -32,7 +32,7 @@ pub fn outside(powers: &Powers, count: usize, excess: f64) -> Vec<f64> {
 /// `sum a_n d_n(1 + excess)` on the side of a sign, the displacement beside the zone by a pressure that displaces it by `sum a_n c_n`.
 pub fn displaced(powers: &Powers, heights: &[f64], excess: f64, sign: f64) -> f64 {
     let mut sums = [0.0; 2];
-    let scale = descend(powers, (FELT, heights.len()), excess, |n, value| {
+    let scale = descend(powers, (ROUNDING, heights.len()), excess, |n, value| {
         sums[n % 2] += heights[n] * value;
     });
     (sums[0] + sign * sums[1]) * scale
@@ -40,7 +40,7 @@ pub fn displaced(powers: &Powers, heights: &[f64], excess: f64, sign: f64) -> f6
 
 /// How many of the `d_n(1 + excess)` are felt: they fall as `e^(-n growth)`.
 pub fn felt(excess: f64) -> f64 {
-    FELT / growth(excess)
+    ROUNDING / growth(excess)
 }
 
 /// `ln(y + sqrt(y^2 - 1))` by `y - 1`.

@@ -1,6 +1,8 @@
 //! Sharp tips on panels, most of them of a hostile review in which all resolutions ended at the same panel, agreed, and stated up to 26 times too little. The numbers are those of collocation (`method.name`
 //! is `sinc`), which has nodes of its own.
 
+use shtaerman::Contact;
+
 use super::loose_tolerances::{agree, solve};
 
 /// The largest pressure to a tolerance, and what is known of it relative to it.
@@ -59,19 +61,18 @@ fn a_tip_beyond_the_period() {
 #[test]
 fn a_tip_between_two_numbers() {
     for power in ["0.3", "0.5"] {
-        let of = |place: &str| {
+        let under = |place: &str| {
             let profile = format!("1e-3*abs({place})^{power} + 5e-4*x^2");
-            let contact = solve(&PLANE.replace("PROFILE", &profile), None).unwrap();
-            (contact.peak_pressure(), contact.error().unwrap().pressure)
+            solve(&PLANE.replace("PROFILE", &profile), None).unwrap()
         };
-        // The sum of both is no number, and the nearest one is 0.30000000000000004.
-        let (exact, known) = of("x - 0.30000000000000004");
-        let (peak, stated) = of("x - 0.1 - 0.2");
+        // The sum of both lies between 0.3 and the next number.
+        let [at, between] = ["x - 0.30000000000000004", "x - 0.1 - 0.2"].map(under);
+        let [exact, peak] = [&at, &between].map(Contact::peak_pressure);
+        let [known, stated] = [&at, &between].map(|contact| contact.error().unwrap().pressure);
         assert!((peak - exact).abs() <= known + stated, "{peak} {exact} {known} {stated}");
         assert!(known + stated < 1e-5 * peak, "{power}: {known} {stated} {peak}");
         // A bound counts all that lies between both.
-        let profile = format!("1e-3*abs(x - 0.1 - 0.2)^{power} + 5e-4*x^2");
-        let audited = solve(&PLANE.replace("PROFILE", &profile), None).unwrap().with_audit();
+        let audited = between.with_audit();
         let bound = audited.error().unwrap().peak_pressure.unwrap();
         assert_eq!(audited.peak_pressure(), peak);
         assert!(bound > 10.0 * stated && bound >= (peak - exact).abs(), "{bound} {stated}");
