@@ -47,18 +47,6 @@ impl Law {
         }
     }
 
-    /// By how much a pressure rises where the layer gives more by so much.
-    pub(crate) fn rise(self, pressure: f64, by: f64) -> f64 {
-        match self {
-            Self::Smooth => 0.0,
-            Self::Linear => by,
-            Self::Power(_) if by == 0.0 => 0.0,
-            Self::Power(exponent) => {
-                (self.displacement(pressure) + by).max(0.0).powf(1.0 / exponent) - pressure
-            }
-        }
-    }
-
     /// `kappa`; none of a smooth surface.
     pub(crate) fn exponent(self) -> Option<f64> {
         match self {

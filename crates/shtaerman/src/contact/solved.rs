@@ -18,7 +18,6 @@ use super::steps::rise;
 use super::stiffness::Stiffness;
 use super::unaudited::Unaudited;
 use super::warning::{Warning, WarningCode};
-use crate::profile::beside::above_tip;
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
 
@@ -80,8 +79,6 @@ struct Record {
     is_symmetric: bool,
     /// The largest pressure with its place.
     peak: (f64, f64),
-    /// How far that is above the pressure at its place: a tip lies between two numbers.
-    raised: f64,
     kinks: Vec<Kink>,
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
@@ -136,7 +133,6 @@ impl Contact {
             is_level: is_symmetric || problem.is_wave(),
             is_symmetric,
             peak: (0.0, 0.0),
-            raised: 0.0,
             kinks: kinks(&problem, &solution.zones()),
             state: solution.state(),
             solution,
@@ -158,12 +154,12 @@ impl Contact {
             (sampled.maximum(), sampled.negative())
         };
         let is_round = problem.bodies().is_circular() && contact.is_level();
-        let (peak, [raised, error]) = contact.peak_under_breaks(peak);
+        let peak = contact.peak_under_breaks(peak);
         let place = if is_round { peak.place.abs() } else { peak.place };
-        let peak = contact.singular_peak().unwrap_or((peak.value, place));
+        let peak = Extreme { place, ..peak };
+        let peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
         let record = contact.record_mut();
-        (record.peak, record.raised) = (peak, raised);
-        record.accuracy.iter_mut().for_each(|known| known.pressure += error);
+        record.peak = peak;
         if problem.solver().contact == ContactKind::Bilateral {
             record.tension = tension;
         }
@@ -211,8 +207,8 @@ impl Contact {
         Ok(self)
     }
 
-    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search. With how far it was raised to that of a tip between two numbers, and what this may be off by.
-    fn peak_under_breaks(&self, found: Extreme) -> (Extreme, [f64; 2]) {
+    /// The largest pressure, or that at or beside a break or an end of the base if it is larger: a cusp is too narrow for a search.
+    fn peak_under_breaks(&self, found: Extreme) -> Extreme {
         let problem = &self.record.problem;
         let half_width = problem.bodies().half_width();
         let breaks = problem.profile().breakpoints(half_width);
@@ -224,16 +220,9 @@ impl Contact {
             let beside = rise(height, at).map(|_| [at.next_down(), at.next_up()]);
             std::iter::once(at).chain(beside.into_iter().flatten())
         };
-        // A tip between two numbers is pressed more than either.
-        let (law, unit) = (problem.bodies().law(), problem.bodies().unit(Scaling::displacement));
-        let peak = |place: f64| {
-            let value = self.pressure_at(place);
-            let [above, error] = above_tip(&height, place).unwrap_or_default();
-            let [tip, most] = [above, above + error].map(|by| law.rise(value, by / unit));
-            (Extreme { place, value: value + tip }, [tip, most - tip])
-        };
-        let (peaks, best) = (under.flat_map(numbers).map(peak), (found, [0.0; 2]));
-        peaks.fold(best, |best, peak| if peak.0.value > best.0.value { peak } else { best })
+        let peaks = under.flat_map(numbers);
+        let peaks = peaks.map(|place| Extreme { place, value: self.pressure_at(place) });
+        peaks.fold(found, |best, peak| if peak.value > best.value { peak } else { best })
     }
 
     /// The first end of a zone or kink where the pressure is infinite.
@@ -352,10 +341,9 @@ impl Contact {
     /// The error of the largest `p0`; none without an audit that bounds it.
     pub(super) fn peak_error(&self) -> Option<f64> {
         let audit = self.found_audit()?;
-        // Where it was found the true pressure is no less than that but for what it was raised by, and nowhere more than this.
+        // Where it was found the true pressure is no less than that, and nowhere more than this.
         let above = audit.highest? - self.peak().0;
-        Some((audit.accuracy.pressure + self.record.raised).max(above))
-            .filter(|error| error.is_finite())
+        Some(audit.accuracy.pressure.max(above)).filter(|error| error.is_finite())
     }
 
     /// The audit that was carried out, or why there is none; none where nobody asked for it.

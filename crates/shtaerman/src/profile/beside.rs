@@ -5,14 +5,6 @@
 
 /// Numbers from an end at which the power is looked for.
 const NUMBERS: [f64; 3] = [1.0, 4.0, 16.0];
-/// So many numbers away heights are looked at that hardly feel where between two of them a tip lies: the farther, the less they do, and the more they have of what else there is.
-const DISTANT: [f64; 3] = [256.0, 4096.0, 65536.0];
-/// Doublings of a number that a formula may round places to: beyond that no power is seen at these.
-const COARSEST: u32 = 8;
-/// The share of it to which a height above a tip is known, if there is one.
-const KNOWN: f64 = 0.1;
-/// A power that is no tip: from number to number that rises by a rounding.
-const STRAIGHT: f64 = 0.95;
 /// The least power: what rises less from number to number is rounding of a step.
 const LEAST: f64 = 0.02;
 /// Changes of no more than this, relative to the heights, are rounding.
@@ -91,59 +83,9 @@ pub(crate) fn corrected(heights: &mut [f64], places: &[Beside], height: impl Fn(
     }
 }
 
-/// How far heights at a place lie above a tip that they have there between two numbers, as `abs(x - 0.1 - 0.2)^0.3` has it, below it if negative, and how well that is known.
-pub(crate) fn above_tip(height: &impl Fn(f64) -> f64, place: f64) -> Option<[f64; 2]> {
-    let (given, step) = (height(place), (place.next_up() - place).max(place - place.next_down()));
-    // Over so many numbers a formula that rounds places once more gives the same.
-    let coarse = (0..COARSEST)
-        .map(|k| f64::from(1u32 << k))
-        .find(|k| [-k, *k].iter().all(|k| height(place + k * step) != given))?;
-    let found = DISTANT.into_iter().filter_map(|far| {
-        // The limit from one side, as a power of the distance if heights go there as one, and what rounding makes of it.
-        let limit = |side: f64| {
-            let [one, four, sixteen] =
-                NUMBERS.map(|number| height(place + side * far * number * step));
-            let power = ((sixteen - four) / (four - one)).ln() / NUMBERS[1].ln();
-            let rounding = ROUNDING * one.abs().max(sixteen.abs()) / power;
-            let is_tip = (LEAST..STRAIGHT).contains(&power) && (four - one).abs() > rounding;
-            let rise = if is_tip { (four - one) / (NUMBERS[1].powf(power) - 1.0) } else { 0.0 };
-            let noise = if is_tip { rounding + power * rise.abs() * coarse / far } else { 0.0 };
-            (one - rise, noise)
-        };
-        let [(left, noise_left), (right, noise_right)] = [-1.0, 1.0].map(limit);
-        let noise = noise_left + noise_right;
-        (noise > 0.0).then_some([given - left.midpoint(right), (left - right).abs() + noise])
-    });
-    let [above, error] = found.min_by(|one, two| one[1].total_cmp(&two[1]))?;
-    // What is hardly known may be the rounding of places beside a tip that lies at a number.
-    (error <= KNOWN * above.abs()).then_some([above, error])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn tips_between_numbers_are_found() {
-        for power in [0.1, 0.3, 0.5, 0.7, 0.9] {
-            // The tip is at the sum of both, which is no number.
-            let tip = |x: f64| 2.0 + ((x - 0.1) - 0.2).abs().powf(power);
-            let shoulder = |x: f64| 2.0 - ((x - 0.1) - 0.2).max(0.0).powf(power);
-            for place in [0.1 + 0.2, 0.3] {
-                for height in [&tip as &dyn Fn(f64) -> f64, &shoulder] {
-                    let exact = height(place) - 2.0;
-                    let [above, error] = above_tip(&height, place).unwrap_or([0.0, 1e-11]);
-                    assert!((above - exact).abs() <= error, "{power} {place}: {above} {exact}");
-                }
-            }
-            assert!(above_tip(&|x: f64| (x - 0.3).abs().powf(power), 0.3).is_none());
-        }
-        for plain in
-            [|x: f64| (x - 0.3).abs(), |x: f64| x * x + 7.0, |x: f64| if x > 0.3 { 1.0 } else { x }]
-        {
-            assert!(above_tip(&plain, 0.3).is_none());
-        }
-    }
 
     #[test]
     fn heights_between_numbers_are_those_of_a_tip() {
