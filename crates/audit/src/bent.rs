@@ -1,9 +1,11 @@
 //! Plane contact with a layer that follows a power law: an **estimate**, as its residual is sampled.
 
+use crate::between::Pressed;
 use crate::bound::{modelled, resample, scale};
 use crate::density::Density;
 use crate::distance::narrow_potential;
 use crate::effort::Effort;
+use crate::highest::highest;
 use crate::kernel::Kernel;
 use crate::layer;
 use crate::norms::mass;
@@ -11,7 +13,7 @@ use crate::open::free_ends;
 use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
-use crate::sampled::{Field, Seen, cover};
+use crate::sampled::{Field, Seen, cover, highest_between};
 use crate::shape::Shape;
 use crate::tangent::{Residuals, Tangent};
 
@@ -70,14 +72,28 @@ struct Audit<'a> {
     misfit: f64,
 }
 
+/// What the potential changes between numbers is not looked at.
+impl Pressed for Audit<'_> {
+    fn pressed(&self, x: f64) -> Option<f64> {
+        let q = self.density.panel_at(x).map(|_| (self.answer.pressure)(x))?;
+        // What pulls by rounding is cut off.
+        let q = if self.problem.is_bilateral { q } else { q.max(0.0) };
+        Some(layer::displacement(self.kappa, q))
+    }
+
+    fn rise(&self, _: f64, _: f64) -> f64 {
+        0.0
+    }
+
+    fn bulge(&self, _: &[f64]) -> f64 {
+        0.0
+    }
+}
+
 impl Field for Audit<'_> {
     fn residual(&self, x: f64) -> (f64, f64) {
         let problem = self.problem;
-        let is_inside = self.density.panel_at(x).is_some();
-        let q = if is_inside { (self.answer.pressure)(x) } else { 0.0 };
-        // What pulls by rounding is cut off.
-        let q = if problem.is_bilateral { q } else { q.max(0.0) };
-        let layer = layer::displacement(self.kappa, q);
+        let layer = self.pressed(x).unwrap_or(0.0);
         let (potential, rounding) = self.density.potential(x);
         let [low, high] = problem.profile.height(x);
         let height = 0.5 * (low + high);
@@ -247,10 +263,12 @@ impl Audit<'_> {
         let moved = length * off + given;
         let unless = |given: bool, value: f64| if given { 0.0 } else { value };
         let least = gaps.iter().map(limit).fold(margin, f64::max);
+        let at_numbers = highest(&self.density.panels, off);
+        let anywhere = highest_between(zones, self.kappa, at_numbers);
         Bound {
             mean_square: energy * layer::softest(self.kappa, self.density.largest() + off).sqrt(),
             pressure: off + self.missed,
-            highest: Some(crate::highest::highest(&self.density.panels, off) + off + self.missed),
+            highest: Some(anywhere + off + self.missed),
             settlement: unless(force.is_none(), moves.at(0.0) + self.shift[0].abs()),
             tilt: unless(moment.is_none(), moves.tilt + self.shift[1].abs()),
             force: unless(

@@ -332,12 +332,12 @@ impl Audit<'_> {
         let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
         // Beside ends and jumps the panels may miss the pressure by more.
         let [resampled, narrowly] = self.resampled(windows.zones);
+        let at_numbers = highest(&self.density.panels, pressure).max(narrowly);
+        let anywhere = self.residual().between_numbers(windows.zones, at_numbers);
         Bound {
             mean_square: distance.mean_square + distance.changed,
             pressure: pressure + resampled,
-            highest: Some(
-                highest(&self.density.panels, pressure).max(narrowly) + pressure + resampled,
-            ),
+            highest: Some(anywhere + pressure + resampled),
             settlement: off(force.is_none(), line.at_origin() + settlement),
             tilt: off(moment.is_none(), line.slope + tilt),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),

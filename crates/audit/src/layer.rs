@@ -5,6 +5,11 @@ pub(crate) fn displacement(kappa: f64, p: f64) -> f64 {
     if kappa == 1.0 { p } else { p.signum() * p.abs().powf(kappa) }
 }
 
+/// `p`, which is not negative where the layer bends.
+pub(crate) fn pressure(kappa: f64, v: f64) -> f64 {
+    if kappa == 1.0 { v } else { v.max(0.0).powf(1.0 / kappa) }
+}
+
 /// How far `p <= highest` may be off where `v` is by `off`: `p = v^(1/kappa)` is steepest where it is largest.
 pub(crate) fn pressure_error(kappa: f64, highest: f64, off: f64) -> f64 {
     if kappa == 1.0 {

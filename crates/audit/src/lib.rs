@@ -12,6 +12,7 @@
 
 mod allowance;
 mod bent;
+mod between;
 mod bound;
 mod chebyshev;
 #[cfg(test)]

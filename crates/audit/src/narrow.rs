@@ -1,21 +1,17 @@
 //! Windows of some units of the machine, which cannot be resolved further.
 
 use crate::allowance::allowance;
+use crate::between::{CLEAR, MOST_NUMBERS, OPEN, number, order, spread};
 use crate::density::Density;
 use crate::effort::RANGE;
 use crate::kernel::Singularity;
 use crate::places::Places;
 use crate::residual::{Bounded, Residual, blur};
 
-/// Numbers of a window that are looked at one by one.
-const MOST_NUMBERS: usize = 40;
-/// Within this distance of a jump a formula may leave open on which side of it a number lies: its parts are rounded, and none is much larger than the base.
-const OPEN: f64 = 256.0 * f64::EPSILON;
-/// So many times that far from a jump heights are off by their rounding; what is no more than so many times as much is rounding.
-const CLEAR: f64 = 2.0;
-const ROUNDED: f64 = 4.0;
+/// What is no more than so many times as much as rounding is rounding.
+pub(crate) const ROUNDED: f64 = 4.0;
 /// In so many widths about a window the density is taken as a constant and what it differs from that.
-const VICINITY: f64 = 64.0;
+pub(crate) const VICINITY: f64 = 64.0;
 
 /// What was seen at numbers: the largest of what counts of the residual, of either sign in a zone and negative beside zones; the least residual; and the largest where the answer's own pressure
 /// and the height on the better side of a jump count; and the same with the height at the number.
@@ -230,7 +226,7 @@ impl Residual<'_> {
     ///
     /// Of the density in the vicinity, of the half-length `D`, a constant changes it by `2 w |sigma'(D)| w`, and what differs from the constant by at most `e` by
     /// `e int |sigma(|x - t|) - sigma(|y - t|)| dt`. What is farther: by `w int q |sigma'|`.
-    fn potential_variation(&self, [left, right]: [f64; 2]) -> f64 {
+    pub(crate) fn potential_variation(&self, [left, right]: [f64; 2]) -> f64 {
         let (c, width) = (0.5 * (left + right), right - left);
         let vicinity = [c - VICINITY * width, c + VICINITY * width];
         let singularity = self.density.kernel.singularity();
@@ -253,43 +249,25 @@ impl Residual<'_> {
             };
             farther += width * (mass * slope).min(2.0 * largest * sum);
         });
-        let (slope, sum) = match singularity {
-            Singularity::Logarithm => {
-                (1.0 / far, 2.0 * width * (3.0 + (1.0 + 2.0 * VICINITY).ln()))
-            }
-            Singularity::Power(mu) => {
-                (mu * far.powf(-1.0 - mu), 8.0 * width.powf(1.0 - mu) / (1.0 - mu))
-            }
+        let sum = nearby(singularity, width, VICINITY);
+        let slope = match singularity {
+            Singularity::Logarithm => 1.0 / far,
+            Singularity::Power(mu) => mu * far.powf(-1.0 - mu),
         };
         steady * 2.0 * width * width * slope + unsteady * sum + farther
     }
 }
 
-/// Numbers of a window from left to right, as many apart from each other, with a place between them and its neighbours.
-fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
-    let beside = [place.next_down(), place, place.next_up()];
-    let parts = (MOST_NUMBERS - 1 - beside.len()) as i64;
-    let (first, last) = (order(left), order(right));
-    let step = last / parts - first / parts;
-    let inner = (1..parts).map(|k| number(first + k * step));
-    let inner = inner.chain(beside).filter(|x| left < *x && *x < right);
-    let mut numbers: Vec<f64> = inner.chain([left, right]).collect();
-    numbers.sort_by(f64::total_cmp);
-    numbers
-}
-
-/// The numbers of the machine in their order, zero being 0.
-fn order(x: f64) -> i64 {
-    let magnitude = x.abs().to_bits() as i64;
-    if x < 0.0 { -magnitude } else { magnitude }
-}
-
-fn number(order: i64) -> f64 {
-    f64::from_bits(order.unsigned_abs()).copysign(order as f64)
+/// A bound of `int |sigma(|x - t|) - sigma(|y - t|)| dt` over what is within so many widths of two places that are `width` apart.
+pub(crate) fn nearby(singularity: Singularity, width: f64, widths: f64) -> f64 {
+    match singularity {
+        Singularity::Logarithm => 2.0 * width * (3.0 + (1.0 + 2.0 * widths).ln()),
+        Singularity::Power(mu) => 8.0 * width.powf(1.0 - mu) / (1.0 - mu),
+    }
 }
 
 /// A bound of how much the density changes between the ends of the panels that an interval touches.
-fn density_variation(density: &Density, [left, right]: [f64; 2]) -> f64 {
+pub(crate) fn density_variation(density: &Density, [left, right]: [f64; 2]) -> f64 {
     let first = density.panels.partition_point(|panel| panel.right < left);
     let (mut change, mut before) = (0.0, None);
     for panel in density.panels[first..].iter().take_while(|panel| panel.left <= right) {

@@ -58,7 +58,7 @@ pub struct Bound {
     pub mean_square: f64,
     /// Of the pressure at any number of the machine on the base.
     pub pressure: f64,
-    /// What the largest pressure is at most; none where it is not known.
+    /// What the largest pressure is at most, between numbers of the machine as well; none where it is not known.
     pub highest: Option<f64>,
     /// Of the settlement; 0 where it is prescribed.
     pub settlement: f64,

@@ -1,7 +1,9 @@
 //! A residual looked at on windows: what samples could have missed of the profile is bounded, of the potential estimated by the last coefficients.
 
+use crate::between::{Pressed, pressed_between};
 use crate::chebyshev::{lebesgue, nodes};
 use crate::heights::Known;
+use crate::layer;
 use crate::profile::Profile;
 use crate::residual::{TooManyWindows, blur};
 
@@ -16,7 +18,7 @@ const FINEST: f64 = 16.0 * f64::EPSILON;
 pub(crate) const SMALLEST: f64 = 1e-3;
 
 /// A residual that can be computed at places.
-pub(crate) trait Field {
+pub(crate) trait Field: Pressed {
     /// `w(x)` and what its rounding may be.
     fn residual(&self, x: f64) -> (f64, f64);
 
@@ -38,6 +40,14 @@ pub(crate) struct Seen {
     pub(crate) square: f64,
     /// The least `w`.
     pub(crate) least: f64,
+    /// What the layer is pressed by at most between numbers, where the window is in a zone and was not resolved.
+    pub(crate) between: f64,
+}
+
+/// The largest pressure of a layer `p^kappa`, between numbers as well, if it is `known` at these.
+pub(crate) fn highest_between(zones: &[Seen], kappa: f64, known: f64) -> f64 {
+    let between = zones.iter().fold(f64::NEG_INFINITY, |most, window| most.max(window.between));
+    known.max(layer::pressure(kappa, between))
 }
 
 /// Windows below this width can be taken out: there the density is what its own potential makes it.
@@ -127,7 +137,14 @@ fn window(
     if is_zone {
         let squares: f64 = values.iter().map(|w| (w.abs() + missed).powi(2)).sum();
         let square = std::f64::consts::PI * r * squares / count as f64;
-        return Some(Seen { left, right, largest, square, least: -largest });
+        return Some(Seen {
+            left,
+            right,
+            largest,
+            square,
+            least: -largest,
+            between: f64::NEG_INFINITY,
+        });
     }
     let least = series[0] - swing - missed;
     let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -136,7 +153,8 @@ fn window(
         return None;
     }
     let largest = (-least).max(0.0);
-    Some(Seen { left, right, largest, square: largest * largest * 2.0 * r, least })
+    let square = largest * largest * 2.0 * r;
+    Some(Seen { left, right, largest, square, least, between: f64::NEG_INFINITY })
 }
 
 /// A window of some units of the machine: a jump of the profile, whose height there is that of either side.
@@ -157,5 +175,11 @@ fn narrow(field: &impl Field, [left, right]: [f64; 2], is_zone: bool) -> Seen {
         least = least.min(lower - noise);
     }
     let square = anywhere * anywhere * (right - left);
-    Seen { left, right, largest, square, least }
+    let between = match field.profile() {
+        Some(profile) if is_zone => {
+            pressed_between(profile, [left, right], field, f64::NEG_INFINITY)
+        }
+        _ => f64::NEG_INFINITY,
+    };
+    Seen { left, right, largest, square, least, between }
 }

@@ -3,6 +3,7 @@
 use super::kernel::mass;
 use super::potential::Radial;
 use super::{DiskProblem, UNIT};
+use crate::between::Pressed;
 use crate::layer;
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
@@ -105,13 +106,6 @@ impl<'a> Part<'a> {
         self.changed
     }
 
-    /// `q(r)` of the answer, in a zone.
-    fn own(&self, r: f64) -> f64 {
-        let index = self.density.panels().partition_point(|panel| panel.right < r);
-        let is_inside = self.density.panels().get(index).is_some_and(|panel| panel.left <= r);
-        if is_inside { (self.own)(r) } else { 0.0 }
-    }
-
     /// `[int w u r dr, int u^2 r dr]` by the middles of the panels.
     pub(super) fn mean(&self, u: &dyn Fn(f64) -> f64) -> [f64; 2] {
         let mut sums = [0.0; 2];
@@ -144,12 +138,29 @@ impl<'a> Part<'a> {
     }
 }
 
-impl Field for Part<'_> {
-    fn residual(&self, r: f64) -> (f64, f64) {
-        let q = self.own(r);
+/// What the potential changes between numbers is not looked at.
+impl Pressed for Part<'_> {
+    fn pressed(&self, r: f64) -> Option<f64> {
+        let index = self.density.panels().partition_point(|panel| panel.right < r);
+        self.density.panels().get(index).filter(|panel| panel.left <= r)?;
+        let q = (self.own)(r);
         // What pulls by rounding is cut off.
         let q = if self.is_bilateral || self.profile.is_none() { q } else { q.max(0.0) };
-        let layer = layer::displacement(self.layer, q);
+        Some(layer::displacement(self.layer, q))
+    }
+
+    fn rise(&self, _: f64, _: f64) -> f64 {
+        0.0
+    }
+
+    fn bulge(&self, _: &[f64]) -> f64 {
+        0.0
+    }
+}
+
+impl Field for Part<'_> {
+    fn residual(&self, r: f64) -> (f64, f64) {
+        let layer = self.pressed(r).unwrap_or(0.0);
         let (potential, rounding) = self.density.potential(r);
         let [low, high] = self.profile.map_or([0.0; 2], |profile| profile.height(r));
         let height = 0.5 * (low + high);

@@ -14,13 +14,14 @@ use crate::allowance::unit;
 use crate::bound::{known, scale};
 use crate::effort::Effort;
 use crate::grading::{Cuts, Limits, panels};
+use crate::highest::highest;
 use crate::layer;
 use crate::modelled::Modelled;
 use crate::open::free_ends;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, Prescribed, Refusal};
 use crate::profile::Profile;
-use crate::sampled::{Seen, cover, largest};
+use crate::sampled::{Seen, cover, highest_between, largest};
 use field::{Part, Resampled};
 use kernel::Harmonic;
 use potential::Radial;
@@ -340,7 +341,8 @@ impl<'a> Audit<'a> {
             mean_square,
             pressure: off + resampled,
             highest: self.lean.is_none().then(|| {
-                crate::highest::highest(self.level.density.panels(), off) + off + resampled
+                let at_numbers = highest(self.level.density.panels(), off);
+                highest_between(seen, problem.layer, at_numbers) + off + resampled
             }),
             settlement: unless(force.is_none(), settled + settlement_off),
             tilt: unless(moment.is_none(), tilted + tilt_off),

@@ -1,6 +1,8 @@
 //! Sharp tips on panels, most of them of a hostile review in which all resolutions ended at the same panel, agreed, and stated up to 26 times too little. The numbers are those of collocation (`method.name`
 //! is `sinc`), which has nodes of its own.
 
+use shtaerman::Contact;
+
 use super::loose_tolerances::{agree, solve};
 
 /// The largest pressure to a tolerance, and what is known of it relative to it.
@@ -54,6 +56,116 @@ fn a_tip_beyond_the_period() {
     assert!((one - two).abs() <= own + other, "{one} {two} {own} {other}");
     assert!(own + other < 1e-7 * one, "{one} {own} {other}");
 }
+
+/// Where a formula has its tip between two numbers the pressure under it is larger than at any: what an audit states of the largest pressure counts that, on all grounds and layers.
+#[test]
+fn a_tip_between_two_numbers() {
+    for (text, variable, tip) in [
+        (PLANE, "x", "abs(PLACE)"),
+        (GRADED, "x", "abs(PLACE)"),
+        (BENT, "x", "abs(PLACE)"),
+        (DISK, "r", "abs(PLACE)"),
+        (ROW, "x", "abs(sin(pi*(PLACE)/2))"),
+    ] {
+        for power in [0.2, 0.3, 0.5, 0.7] {
+            let under = |place: &str| {
+                let tip = tip.replace("PLACE", &format!("{variable} - {place}"));
+                let text = text.replace("TIP", &format!("{tip}^{power}"));
+                solve(&text, None).unwrap().with_audit()
+            };
+            // The sum of both lies between 0.3 and the next number.
+            let [at, between] = ["0.30000000000000004", "0.1 - 0.2"].map(under);
+            let [exact, peak] = [&at, &between].map(Contact::peak_pressure);
+            let [known, stated] =
+                [&at, &between].map(|contact| contact.error().unwrap().peak_pressure.unwrap());
+            let off = (exact - peak).abs();
+            assert!(off <= known + stated, "{text} {power}: {off:e} {known:e} {stated:e}");
+            let at_numbers = [&at, &between].map(|contact| contact.error().unwrap().pressure);
+            let most = 2.0 * (off + known + at_numbers[1]);
+            assert!(stated <= most, "idle: {text} {power}: {off:e} {stated:e}");
+            // Were it not counted, the sharpest would be off by more than what holds at numbers.
+            assert!(power > 0.2 || off > 2.0 * (at_numbers[0] + at_numbers[1]), "{text} {power}");
+        }
+    }
+}
+
+/// Beside a jump, and where contact ends at one, nothing of its height counts.
+#[test]
+fn no_jump_is_a_tip() {
+    for jump in ["step(x - 0.1 - 0.2)", "step(0.1 + 0.2 - x)", "step(x - 0.25)", "(x > 0.7)"] {
+        for share in [1e-4, 1.0] {
+            let profile = format!("5e-4*x^2 + {share}*1e-3*{jump}");
+            let text = PLANE.replace("1e-3*TIP + 5e-4*x^2", &profile);
+            let contact = solve(&text, None).unwrap().with_audit();
+            let stated = contact.error().unwrap();
+            let peak = stated.peak_pressure.unwrap();
+            assert!(peak <= 2.0 * stated.pressure, "{profile}: {peak:e} {:e}", stated.pressure);
+        }
+    }
+}
+
+const PLANE: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-12
+[punch]
+half_width = 1.0
+profile = "1e-3*TIP + 5e-4*x^2"
+[load]
+force = 2e5
+moment = 0
+"#;
+
+const GRADED: &str = r#"[foundation]
+grading_exponent = 0.3
+grading_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-12
+[punch]
+half_width = 1.0
+profile = "1e-3*TIP + 5e-4*x^2"
+[load]
+force = 2e5
+moment = 0
+"#;
+
+const BENT: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = { coefficient = 6e-8, exponent = 0.4 }
+[punch]
+half_width = 1.0
+profile = "1e-3*TIP + 5e-4*x^2"
+[load]
+force = 2e5
+moment = 0
+"#;
+
+const DISK: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-11
+[punch]
+geometry = "circular"
+radius = 1.0
+profile = "1e-3*TIP + 5e-4*r^2"
+[load]
+force = 2e5
+moment = 0
+"#;
+
+const ROW: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-12
+[punch]
+geometry = "periodic"
+period = 2.0
+profile = "1e-3*TIP + 1e-4*cos(pi*x)"
+[load]
+force = 2e5
+tilt = 0
+"#;
 
 const WAVE: &str = r#"[foundation]
 young_modulus = 8152244861.63938
