@@ -113,15 +113,19 @@ fn time(name: &str, problem: &Problem) {
     }
     let solve = best(&|| drop(black_box(problem.solve().unwrap())));
     let contact = problem.solve().unwrap();
-    let audited = match contact.audit() {
-        Ok(_) => format!("{:>12.3}", 1e3 * best(&|| drop(black_box(contact.audit())))),
-        Err(_) => format!("{:>12}", "none"),
+    let (audited, bound) = match contact.audit() {
+        Ok(_) => (
+            format!("{:>12.3}", 1e3 * best(&|| drop(black_box(contact.audit())))),
+            format!(", by the audit {:.1e}", contact.clone().with_audit().relative_error()),
+        ),
+        Err(_) => (format!("{:>12}", "none"), String::new()),
     };
     println!(
-        "{name:<58} {:>12.3} {audited}   {} zones, {}, error {:.0e}",
+        "{name:<58} {:>12.3} {audited}   {} zones, {}, {} nodes, error {:.1e}{bound}",
         1e3 * solve,
         contact.dimensionless().zones().len(),
         contact.method().name,
+        contact.method().n,
         contact.relative_error()
     );
 }
