@@ -14,8 +14,6 @@ pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
 pub(super) const SAFETY: f64 = 4.0;
 /// A residual, or a difference of two resolutions, that does not fall any more is rounding below this share of its scale (survey).
 pub(super) const STAGNANT: f64 = 1e-9;
-/// Rounding of a value that a few operations make, relative to the largest of them.
-pub(super) const OF_A_VALUE: f64 = 4.0 * f64::EPSILON;
 
 /// What a statement of error is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

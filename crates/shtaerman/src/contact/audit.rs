@@ -7,7 +7,6 @@ use std::cell::Cell;
 use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Prescribed, Profile, Refusal};
 
-use super::accuracy::OF_A_VALUE;
 use super::ground::SHARP;
 use super::parts::{DEGREE, RESOLVED};
 use super::posed::{GRADED, Posed, posed};
@@ -15,6 +14,7 @@ use super::promise::ROUGHEST;
 use super::unaudited::Unaudited;
 use super::{Accuracy, ErrorKind};
 use crate::deadline::work;
+use crate::rounding::OF_A_VALUE;
 use crate::{Contact, ContactKind, Error, Load, Problem, Rotational};
 
 /// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.

@@ -2,11 +2,12 @@
 
 use std::ops::Add;
 
-use super::accuracy::{Accuracy, OF_A_VALUE, Sizes};
+use super::accuracy::{Accuracy, Sizes};
 use super::setting::Setting;
 use super::solution::Solution;
 use crate::golden::GOLDEN;
 use crate::roughness::Law;
+use crate::rounding::OF_A_VALUE;
 use crate::{Error, Rotational, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps (survey).

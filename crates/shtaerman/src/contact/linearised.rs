@@ -5,6 +5,7 @@ use super::edges::CLOSE;
 use super::kinks::jump;
 use super::rates::Linearised;
 use crate::Contact;
+use crate::extremes::Sampled;
 use crate::roughness::Law;
 
 /// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's (survey).
@@ -57,6 +58,14 @@ impl Contact {
         [place + second * step, step, second.abs() + slope * size.abs()]
     }
 
+    /// Where the pressure may be largest as well, as far as it is known.
+    fn rivals(&self) -> Vec<f64> {
+        let (peak, at) = self.peak();
+        let off = self.solution().accuracy().map_or(0.0, |known| 2.0 * known.pressure);
+        let (places, pressures) = self.solution().sample();
+        Sampled::new(|xi| self.pressure_at(xi), places, pressures).elsewhere(at, peak - off)
+    }
+
     /// The error of the solution relative to its size; 0 where the method tells none.
     pub(crate) fn known_to(&self) -> f64 {
         let (peak, _) = self.peak();
@@ -81,6 +90,14 @@ impl Contact {
             for k in 0..found.rates.len() {
                 let [here, there] = [&found, &beside].map(|at| at.rates[k][3]);
                 found.errors[k][3] += MISSED * here.abs() + off * (there - here).abs();
+            }
+        }
+        // A coarse answer may take one crest for the highest where it is another.
+        for rival in self.rivals() {
+            let beside = at(rival)?;
+            for k in 0..found.rates.len() {
+                let [here, there] = [&found, &beside].map(|at| at.rates[k][3]);
+                found.errors[k][3] = found.errors[k][3].max((there - here).abs());
             }
         }
         if self.is_level() {

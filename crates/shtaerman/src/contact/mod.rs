@@ -16,7 +16,6 @@ mod companion;
 mod complementarity;
 mod eccentric;
 mod edges;
-mod extremes;
 mod ground;
 mod heights;
 mod intensity;

@@ -2,8 +2,8 @@
 
 use shtaerman_audit::{Ground, Kernel};
 
-use super::accuracy::OF_A_VALUE;
 use super::unaudited::Unaudited;
+use crate::rounding::OF_A_VALUE;
 use crate::{Geometry, Layering, Problem, Vertical};
 
 /// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).

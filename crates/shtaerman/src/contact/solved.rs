@@ -5,7 +5,6 @@ use std::sync::{Arc, OnceLock};
 use super::accuracy::{Accuracy, Sizes};
 use super::audit::Audit;
 use super::balance::State;
-use super::extremes::{Extreme, Sampled};
 use super::heights::OfHeights;
 use super::kinks::{Kink, kinks};
 use super::method::Method;
@@ -18,6 +17,7 @@ use super::steps::rise;
 use super::stiffness::Stiffness;
 use super::unaudited::Unaudited;
 use super::warning::{Warning, WarningCode};
+use crate::extremes::{Extreme, Sampled};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
 

@@ -42,7 +42,7 @@ pub(super) struct RoughContact<F> {
     tilted: Option<Tilted>,
     /// What is left of the error of the stiffness against that.
     turning_error: f64,
-    /// Places where the contact does not touch, one for each interval.
+    /// Places besides the nodes that are looked at: one in each interval where the contact does not touch, and those of crests between nodes.
     beside: Vec<f64>,
 }
 
@@ -62,7 +62,9 @@ impl<F: Field> RoughContact<F> {
             ..accuracy
         };
         let complementarity = Complementarity { tension, penetration };
-        let beside = outside(&base.pieces, &solved.nodes.zones).into_iter();
+        let gaps = outside(&base.pieces, &solved.nodes.zones).into_iter();
+        let gaps = gaps.map(|[left, right]| 0.5 * (left + right));
+        let beside = gaps.chain(solved.crests(&base.samples)).collect();
         let (state, accuracy) = match &base.surface.tangent {
             Some(tangent) => {
                 let given = base.surface.setting.load();
@@ -81,7 +83,7 @@ impl<F: Field> RoughContact<F> {
             complementarity: (!base.is_bilateral).then_some(complementarity),
             tilted,
             turning_error,
-            beside: beside.map(|[left, right]| 0.5 * (left + right)).collect(),
+            beside,
         })
     }
 

@@ -8,6 +8,7 @@ mod answer;
 mod base;
 mod check;
 mod coarse;
+mod crests;
 mod frame;
 mod layer;
 mod linearised;

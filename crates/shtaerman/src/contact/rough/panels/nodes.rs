@@ -11,7 +11,6 @@ use fredholm::multipole::{
 
 use super::mesh::{Fineness, LONGEST, panels};
 use crate::Error;
-use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::ground::Hull;
 use crate::contact::method::MethodName;
 use crate::contact::rough::base::Base;
@@ -21,6 +20,7 @@ use crate::contact::rough::solved::largest;
 use crate::contact::search::unknown;
 use crate::contact::zones::Zone;
 use crate::deadline::work;
+use crate::rounding::OF_A_VALUE;
 
 /// Most nodes: with their operator, the coarser ones and the directions of a solution they stay below a gigabyte. Half and twice change none of 32 answers (survey).
 const MOST_NODES: usize = 600_000;

@@ -12,7 +12,6 @@ use fredholm::multipole::PanelOperator;
 use super::mesh::STRAIGHT;
 use super::nodes::{Effort, OnPanels, PanelNodes, cut};
 use crate::Error;
-use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::check::{BETWEEN, Check};
 use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
 use crate::contact::rough::check::check;
@@ -23,6 +22,7 @@ use crate::contact::rough::solved::Solved;
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
 use crate::line_search::{Point, positive, top};
+use crate::rounding::OF_A_VALUE;
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
 const ROUNDS: usize = 28;

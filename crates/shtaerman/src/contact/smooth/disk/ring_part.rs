@@ -1,5 +1,6 @@
 //! A ring with its pressure.
 
+use crate::rounding::OF_A_VALUE;
 use std::f64::consts::{LN_2, PI};
 use std::sync::Arc;
 
@@ -10,7 +11,6 @@ use super::super::base::Base;
 use super::super::modes::{bend, bend_of_cut, cosines, left_over};
 use super::coupling::RingNodes;
 use super::ring::{Ring, distance};
-use crate::contact::accuracy::OF_A_VALUE;
 
 #[derive(Debug, Clone)]
 pub(super) struct RingPart {

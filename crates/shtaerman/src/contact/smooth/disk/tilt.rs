@@ -7,8 +7,8 @@ use super::core::Core;
 use super::solved::Solved;
 use crate::Error;
 use crate::contact::check::POINTS;
-use crate::contact::extremes::Sampled;
 use crate::contact::search::ALLOWED;
+use crate::extremes::Sampled;
 
 /// Refuses a tilt that lifts the disk off on one side.
 pub(super) fn require_contact(disk: &Disk, solved: &Solved) -> Result<(), Error> {

@@ -7,9 +7,10 @@ use fredholm::inversion::{AbelTransform, Kink, Powers, Series, Shape, Symmetry, 
 
 use super::super::base::Base;
 use super::super::pressure::place;
-use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::ground::STEP;
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within. Half and twice change none of 32 answers (survey).
 const MOST_BREAKS: usize = 320;

@@ -16,8 +16,9 @@ use fredholm::inversion::{AbelTransform, Kink, Place};
 
 use super::Ground;
 use super::on_zone::{FELT, OnZone};
-use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 
 /// Even and odd, of what is neither kink nor polynomial.
 type Halves = Option<[AbelTransform; 2]>;

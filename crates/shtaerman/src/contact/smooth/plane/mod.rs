@@ -20,8 +20,8 @@ use fredholm::inversion::Conjugate;
 
 use super::base::Base;
 use super::equation::{COMPARED, Detail, FirstKind};
-use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 use crate::{Error, Geometry};
 use kernel::Kernel;
 use on_zone::OnZone;

@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use fredholm::inversion::Angular;
 
 use super::super::base::Base;
-use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 
 /// About a mean slope, which is taken away as it is large where the punch rolls onto a flank.
 pub(super) struct OnZone<'b> {

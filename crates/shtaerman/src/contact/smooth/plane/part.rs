@@ -8,8 +8,8 @@ use fredholm::inversion::{Conjugate, Place};
 
 use super::super::modes::{bend, cosines, left_over};
 use super::kernel::{Kernel, Remainder};
-use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 
 #[derive(Debug, Clone)]
 pub(super) struct Part {

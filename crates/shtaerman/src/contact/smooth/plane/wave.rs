@@ -16,13 +16,13 @@ use super::full::{FullWave, PANELS};
 use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
-use crate::contact::extremes::NEGLIGIBLE;
 use crate::contact::intervals::longest_gap;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
 use crate::contact::valleys::CELLS;
 use crate::error::require;
+use crate::extremes::NEGLIGIBLE;
 use crate::line_search::STEPS;
 use crate::{Error, Scaling, Vertical};
 

@@ -1,22 +1,22 @@
 //! Where a pressure is largest, and where it is negative.
 
-use super::accuracy::OF_A_VALUE;
 use crate::line_search::{crossing, top};
+use crate::rounding::OF_A_VALUE;
 
 /// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line (survey).
 const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero (survey).
-pub(super) const NEGLIGIBLE: f64 = 1e-12;
+pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Extreme {
-    pub(super) place: f64,
-    pub(super) value: f64,
+pub(crate) struct Extreme {
+    pub(crate) place: f64,
+    pub(crate) value: f64,
 }
 
 /// A function sampled on `[-1, 1]`, from left to right.
-pub(super) struct Sampled<F> {
+pub(crate) struct Sampled<F> {
     f: F,
     points: Vec<f64>,
     values: Vec<f64>,
@@ -24,12 +24,12 @@ pub(super) struct Sampled<F> {
 
 impl<F: Fn(f64) -> f64> Sampled<F> {
     /// `f` with its values at increasing points from -1 to 1; extremes and sign changes are refined between neighbours.
-    pub(super) fn new(f: F, points: Vec<f64>, values: Vec<f64>) -> Self {
+    pub(crate) fn new(f: F, points: Vec<f64>, values: Vec<f64>) -> Self {
         Self { f, points, values }
     }
 
     /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding sets apart from it.
-    pub(super) fn maximum(&self) -> Extreme {
+    pub(crate) fn maximum(&self) -> Extreme {
         let found = self.candidates().into_iter().map(|i| self.refined(i));
         let found = found.reduce(|best, other| {
             if other.value > best.value + NEGLIGIBLE * best.value.abs() { other } else { best }
@@ -48,6 +48,22 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
 
     /// The samples beside which the function may be largest: those with the largest values, and others from which it may rise as high, from left to right.
     fn candidates(&self) -> Vec<usize> {
+        let (values, mut best) = (&self.values, 0);
+        for (i, value) in values.iter().enumerate() {
+            if *value > values[best] + NEGLIGIBLE * values[best].abs() {
+                best = i;
+            }
+        }
+        let mut all = self.tops(values[best]);
+        all.retain(|i| *i != best);
+        all.truncate(MOST_REFINED - 1);
+        all.push(best);
+        all.sort_unstable();
+        all
+    }
+
+    /// The samples beside which the function may rise above a value, the highest first.
+    fn tops(&self, value: f64) -> Vec<usize> {
         let (values, last) = (&self.values, self.values.len().saturating_sub(1));
         let neighbours = |i: usize| [i.saturating_sub(1), (i + 1).min(last)].map(|j| values[j]);
         // A parabola through three samples rises by an eighth of their second difference at most; others may rise by more: four times as much is looked at.
@@ -55,35 +71,38 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             let [before, after] = neighbours(i);
             values[i] + 0.5 * (2.0 * values[i] - before - after)
         };
-        let mut best = 0;
-        for (i, value) in values.iter().enumerate() {
-            if *value > values[best] + NEGLIGIBLE * values[best].abs() {
-                best = i;
-            }
-        }
         let is_top = |i: &usize| neighbours(*i).iter().all(|value| values[*i] >= *value);
-        let is_near = |i: &usize| *i != best && reached(*i) > values[best];
-        let mut others: Vec<usize> = (0..values.len()).filter(is_top).filter(is_near).collect();
-        crate::order::sort_by_number(&mut others, |one| -reached(*one));
-        others.truncate(MOST_REFINED - 1);
-        others.push(best);
-        others.sort_unstable();
-        others
+        let tops = (0..values.len()).filter(is_top).filter(|i| reached(*i) > value);
+        let mut tops: Vec<usize> = tops.collect();
+        crate::order::sort_by_number(&mut tops, |one| -reached(*one));
+        tops.truncate(MOST_REFINED);
+        tops
+    }
+
+    /// Where else than about a place it rises above a value.
+    pub(crate) fn elsewhere(&self, place: f64, value: f64) -> Vec<f64> {
+        let tops = self.tops(value).into_iter();
+        let others = tops.filter(|i| !self.about(*i).contains(&place)).map(|i| self.refined(i));
+        others.filter(|top| top.value > value).map(|top| top.place).collect()
+    }
+
+    /// The neighbours of a sample.
+    fn about(&self, i: usize) -> std::ops::RangeInclusive<f64> {
+        self.points[i.saturating_sub(1)]..=self.points[(i + 1).min(self.points.len() - 1)]
     }
 
     /// The largest value between the neighbours of a sample.
     fn refined(&self, i: usize) -> Extreme {
         let sampled = Extreme { place: self.points[i], value: self.values[i] };
-        let left = self.points[i.saturating_sub(1)];
-        let right = self.points[(i + 1).min(self.points.len() - 1)];
-        let (place, value) = top(&self.f, left, right);
+        let about = self.about(i);
+        let (place, value) = top(&self.f, *about.start(), *about.end());
         // A value that is larger by rounding alone says nothing of the place.
         let noticeable = OF_A_VALUE * sampled.value.abs();
         if value > sampled.value + noticeable { Extreme { place, value } } else { sampled }
     }
 
     /// The intervals on which the function is negative beyond rounding.
-    pub(super) fn negative(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn negative(&self) -> Vec<[f64; 2]> {
         let largest = self.values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
         let threshold = -NEGLIGIBLE * largest;
         let changes = self
