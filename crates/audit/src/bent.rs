@@ -1,6 +1,6 @@
 //! Plane contact with a layer that follows a power law: an **estimate**, as its residual is sampled.
 
-use crate::between::Pressed;
+use crate::between::{Pressing, Steady};
 use crate::bound::{modelled, resample, scale};
 use crate::density::Density;
 use crate::distance::narrow_potential;
@@ -13,7 +13,7 @@ use crate::open::free_ends;
 use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
-use crate::sampled::{Field, Seen, cover, highest_between};
+use crate::sampled::{Field, Seen, cover, presses_about};
 use crate::shape::Shape;
 use crate::tangent::{Residuals, Tangent};
 
@@ -72,28 +72,14 @@ struct Audit<'a> {
     misfit: f64,
 }
 
-/// What the potential changes between numbers is not looked at.
-impl Pressed for Audit<'_> {
-    fn pressed(&self, x: f64) -> Option<f64> {
-        let q = self.density.panel_at(x).map(|_| (self.answer.pressure)(x))?;
-        // What pulls by rounding is cut off.
-        let q = if self.problem.is_bilateral { q } else { q.max(0.0) };
-        Some(layer::displacement(self.kappa, q))
-    }
-
-    fn rise(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-
-    fn bulge(&self, _: &[f64]) -> f64 {
-        0.0
-    }
-}
-
 impl Field for Audit<'_> {
     fn residual(&self, x: f64) -> (f64, f64) {
         let problem = self.problem;
-        let layer = self.pressed(x).unwrap_or(0.0);
+        let is_inside = self.density.panel_at(x).is_some();
+        let q = if is_inside { (self.answer.pressure)(x) } else { 0.0 };
+        // What pulls by rounding is cut off.
+        let q = if problem.is_bilateral { q } else { q.max(0.0) };
+        let layer = layer::displacement(self.kappa, q);
         let (potential, rounding) = self.density.potential(x);
         let [low, high] = problem.profile.height(x);
         let height = 0.5 * (low + high);
@@ -105,6 +91,15 @@ impl Field for Audit<'_> {
         let scaled = problem.scaled * (problem.theta * potential.abs() + given);
         let noise = problem.theta * (rounding + self.misfit) + 0.5 * (high - low);
         (value, noise + UNIT * size + scaled)
+    }
+
+    fn presses(&self, window: [f64; 2]) -> f64 {
+        let Problem { profile: base, theta, scaled, .. } = *self.problem;
+        let [settlement, tilt] =
+            [self.answer.settlement + self.shift[0], self.answer.tilt + self.shift[1]];
+        let dip = Steady::new(&self.density, window).map_or(0.0, |steady| steady.dip());
+        let potentials = window.map(|x| self.density.potential(x));
+        Pressing { base, theta, settlement, tilt, scaled }.most(window, potentials, dip)
     }
 
     fn looks(&self) -> u64 {
@@ -263,12 +258,17 @@ impl Audit<'_> {
         let moved = length * off + given;
         let unless = |given: bool, value: f64| if given { 0.0 } else { value };
         let least = gaps.iter().map(limit).fold(margin, f64::max);
-        let at_numbers = highest(&self.density.panels, off);
-        let anywhere = highest_between(zones, self.kappa, at_numbers);
+        let at_numbers = highest(&self.density.panels, off) + off + self.missed;
+        // Between numbers a narrow tip may be pressed by more.
+        let presses = |window: &Seen| layer::pressure(self.kappa, window.presses + limit(window));
+        let anywhere = seen.iter().map(presses).fold(at_numbers, f64::max);
+        let high = (self.problem.cuts, self.density.largest());
+        let about = presses_about(self, high, |x| self.density.evaluate(x));
+        let anywhere = anywhere.max(layer::pressure(self.kappa, about + least));
         Bound {
             mean_square: energy * layer::softest(self.kappa, self.density.largest() + off).sqrt(),
             pressure: off + self.missed,
-            highest: Some(anywhere + off + self.missed),
+            highest: Some(anywhere),
             settlement: unless(force.is_none(), moves.at(0.0) + self.shift[0].abs()),
             tilt: unless(moment.is_none(), moves.tilt + self.shift[1].abs()),
             force: unless(

@@ -5,121 +5,71 @@ use std::ops::Range;
 use crate::allowance::UNIT;
 use crate::density::Density;
 use crate::kernel::{Kernel, Singularity};
-use crate::narrow::{ROUNDED, VICINITY, density_variation, nearby};
+use crate::narrow::{VICINITY, density_variation, nearby};
 use crate::panel::Panel;
 use crate::profile::Profile;
 use crate::residual::{Bounded, Residual, blur};
 
-/// So many numbers of an interval are looked at, at most.
-pub(crate) const MOST_NUMBERS: usize = 40;
-
 /// No two places of a base are farther apart.
 const FARTHEST: f64 = 2.0;
-/// Within this distance of a jump a formula may leave open on which side of it a number lies: its parts are rounded, and none is much larger than the base.
-pub(crate) const OPEN: f64 = 256.0 * f64::EPSILON;
-/// So many times that far from a jump heights are off by their rounding.
-pub(crate) const CLEAR: f64 = 2.0;
 
-/// What is asked of a contact between the numbers of a window.
-pub(crate) trait Pressed {
-    /// What the layer is pressed by at a number, none outside of zones.
-    fn pressed(&self, x: f64) -> Option<f64>;
-
-    /// How far what is pressed, beside the base, may rise from one number to another.
-    fn rise(&self, from: f64, to: f64) -> f64;
-
-    /// How far it may rise between neighbours of these numbers above both.
-    fn bulge(&self, numbers: &[f64]) -> f64;
+/// What presses: `delta - alpha x - f - theta K q`, of a contact whose potential is known at places.
+pub(crate) struct Pressing<'a> {
+    pub(crate) base: &'a dyn Profile,
+    pub(crate) theta: f64,
+    pub(crate) settlement: f64,
+    pub(crate) tilt: f64,
+    /// What the numbers given may be off by, relative to their sizes.
+    pub(crate) scaled: f64,
 }
 
-/// What the layer is pressed by at most between the numbers of a window that could not be resolved, if that is more than `known`.
-///
-/// `v(x) + f(x)` between two numbers is not above that at one of them by more than it rises from this to the other, nor above both by more than it bulges.
-pub(crate) fn pressed_between(
-    profile: &dyn Profile,
-    [left, right]: [f64; 2],
-    contact: &impl Pressed,
-    known: f64,
-) -> f64 {
-    // A tip at an end is followed to the inside: by its rounding it may lie beyond.
-    let blur = blur(left.abs().max(right.abs()));
-    let [left, right] = [left - blur, right + blur];
-    let [low, _] = profile.range([left, right]);
-    let above = |x: f64| {
-        let own = contact.pressed(x)?;
-        let [_, high] = profile.height(x);
-        Some((x, own + if low < high { high - low } else { 0.0 }))
-    };
-    let most = |told: &[(f64, f64)]| {
-        let bulge = contact.bulge(&told.iter().map(|(x, _)| *x).collect::<Vec<f64>>());
-        let gaps = told.windows(2).map(|pair| {
-            let [(x, one), (y, other)] = [pair[0], pair[1]];
-            let either = one.max(other);
-            if either + bulge <= known {
-                return either;
-            }
-            either.min(one + contact.rise(x, y)).min(other + contact.rise(y, x))
-        });
-        gaps.fold(f64::NEG_INFINITY, f64::max) + bulge
-    };
-    let numbers = numbers([left, right], 0.5 * (left + right));
-    let told: Vec<(f64, f64)> = numbers.into_iter().filter_map(above).collect();
-    let (Some(first), Some(last)) = (told.first(), told.last()) else { return known };
-    let reached = most(&told);
-    if reached <= known {
-        return known;
+impl Pressing<'_> {
+    /// A bound of what presses at any place of a window, by the potential at both of its ends, with its rounding, and how far it may lie below these between them.
+    ///
+    /// Of the base only the least height counts, so that it does not matter which side of a jump a number lies on.
+    pub(crate) fn most(&self, window: [f64; 2], potentials: [(f64, f64); 2], dip: f64) -> f64 {
+        let [left, right] = window;
+        // A tip at an end is followed to the inside: by its rounding it may lie beyond.
+        let blur = blur(left.abs().max(right.abs()));
+        // The base ends at -1 and 1.
+        let [low, _] = self.base.range([(left - blur).max(-1.0), (right + blur).min(1.0)]);
+        let turned = (-self.tilt * left).max(-self.tilt * right);
+        let [one, other] = potentials.map(|(potential, rounding)| potential - rounding);
+        let elastic = self.theta * (one.min(other) - dip);
+        let sizes = [self.settlement, turned, low, elastic].map(f64::abs).iter().sum::<f64>();
+        // One rounding of each term and of what they add up to.
+        (self.settlement + turned - low) - elastic + (4.0 * UNIT + 2.0 * self.scaled) * sizes
     }
-    // Beside a jump a formula may leave open which side the numbers of a window are on, but not those farther away.
-    let clear = [
-        above(left - CLEAR * OPEN).unwrap_or(*first),
-        above(right + CLEAR * OPEN).unwrap_or(*last),
-    ];
-    reached.min(most(&clear)).max(known)
 }
 
 impl Residual<'_> {
-    /// An upper bound of the pressure between the numbers of narrow windows in zones where it may be above `known`, if at numbers the answer's own is exact.
-    pub(crate) fn between_numbers(&self, zones: &[Bounded], known: f64) -> f64 {
-        let narrow = zones.iter().filter(|window| window.is_narrow);
+    /// A bound of what presses at any place of windows that could not be resolved, if it is more than `known`.
+    pub(crate) fn presses<'w>(
+        &self,
+        windows: impl Iterator<Item = &'w Bounded>,
+        known: f64,
+    ) -> f64 {
+        let Self { profile: base, theta, settlement, tilt, scaled, .. } = *self;
+        let pressing = Pressing { base, theta, settlement, tilt, scaled };
+        let narrow = windows.filter(|window| window.is_narrow);
         narrow.fold(known, |most, window| {
-            let Bounded { left, right, largest, .. } = *window;
-            // What is between numbers counts in the largest residual.
-            if (self.pressure)(0.5 * (left + right)) + largest <= most {
+            let Bounded { left, right, least, .. } = *window;
+            // What the least residual leaves to the pressure.
+            if self.density.evaluate(0.5 * (left + right)) - least <= most {
                 return most;
             }
-            pressed_between(self.profile, [left, right], self, most)
+            let dip = match Steady::new(self.density, [left, right]) {
+                Some(steady) => steady.dip(),
+                None => self.potential_variation([left, right]),
+            };
+            let potentials = [left, right].map(|x| self.density.potential(x));
+            most.max(pressing.most([left, right], potentials, dip))
         })
     }
 }
 
-impl Pressed for Residual<'_> {
-    fn pressed(&self, x: f64) -> Option<f64> {
-        self.density.panel_at(x).map(|_| (self.pressure)(x))
-    }
-
-    fn rise(&self, from: f64, to: f64) -> f64 {
-        let [(one, rounding), (other, more)] = [from, to].map(|x| self.density.potential(x));
-        self.tilt.abs() * (to - from).abs()
-            + self.theta * ((one - other).max(0.0) + rounding + more)
-    }
-
-    fn bulge(&self, numbers: &[f64]) -> f64 {
-        let width = numbers.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-        if width == 0.0 {
-            return 0.0;
-        }
-        let window = [numbers[0], numbers[numbers.len() - 1]];
-        let dip = match Steady::new(self.density, window) {
-            Some(steady) => steady.dip(width),
-            None => self.potential_variation(window),
-        };
-        let bulge = self.tilt.abs() * width + self.theta * dip;
-        bulge + ROUNDED * UNIT * (self.density.largest() + bulge)
-    }
-}
-
-/// A density beside a window as a constant on the zone of that, which is not negative, and what it differs from it.
-struct Steady<'a> {
+/// A density beside a window as a constant on the one zone that the window touches, which is not negative, and what it differs from it.
+pub(crate) struct Steady<'a> {
     density: &'a Density,
     window: [f64; 2],
     constant: f64,
@@ -131,30 +81,41 @@ struct Steady<'a> {
 }
 
 impl<'a> Steady<'a> {
-    /// None where the window is not in one zone.
-    fn new(density: &'a Density, window: [f64; 2]) -> Option<Self> {
+    /// None where the window touches several zones.
+    pub(crate) fn new(density: &'a Density, window: [f64; 2]) -> Option<Self> {
         let panels = &density.panels;
-        let [own, other] = [density.panel_at(window[0])?, density.panel_at(window[1])?];
+        let first = panels.partition_point(|panel| panel.right < window[0]);
+        let last = panels.partition_point(|panel| panel.left <= window[1]);
         let is_cut = |pair: &[Panel]| pair[0].right < pair[1].left;
-        let first = panels[..=own].windows(2).rposition(is_cut).map_or(0, |index| index + 1);
-        let last = panels[own..].windows(2).position(is_cut);
-        let last = last.map_or(panels.len(), |at| own + at + 1);
-        let value = density.evaluate(0.5 * (window[0] + window[1]));
+        if first >= last {
+            let (panels, zone) = (0..0, window);
+            return Some(Self { density, window, constant: 0.0, negative: 0.0, panels, zone });
+        }
+        if panels[first..last].windows(2).any(is_cut) {
+            return None;
+        }
+        let start = panels[..=first].windows(2).rposition(is_cut).map_or(0, |index| index + 1);
+        let end = panels[first..].windows(2).position(is_cut);
+        let end = end.map_or(panels.len(), |at| first + at + 1);
+        let zone = [panels[start].left, panels[end - 1].right];
+        let middle = (0.5 * (window[0] + window[1])).clamp(zone[0], zone[1]);
+        let value = density.evaluate(middle);
         let [constant, negative] = [value.max(0.0), (-value).max(0.0)];
-        let zone = [panels[first].left, panels[last - 1].right];
-        let is_within = (first..last).contains(&other);
-        is_within.then_some(Self { density, window, constant, negative, panels: first..last, zone })
+        Some(Self { density, window, constant, negative, panels: start..end, zone })
     }
 
-    /// How far the potential between two places of the window that are so far apart may lie below the smaller one of their potentials.
+    /// How far the potential between two places of the window may lie below the smaller one of their potentials.
     ///
-    /// Of the constant it is nowhere below: its potential is concave in the zone. What the density differs from that changes its potential by at most
+    /// Of the constant it is nowhere below: its potential is concave in the zone and falls beside it. What the density differs from that changes its potential by at most
     /// `int |q - constant| |sigma(|x - t|) - sigma(|y - t|)| dt`, which is bounded in the vicinity and on shells beyond, each twice as far away as the one before.
-    fn dip(&self, width: f64) -> f64 {
+    pub(crate) fn dip(&self) -> f64 {
         let singularity = self.density.kernel.singularity();
+        let width = self.window[1] - self.window[0];
+        if width == 0.0 {
+            return 0.0;
+        }
         let mut distance = VICINITY * width;
-        let widths = VICINITY + (self.window[1] - self.window[0]) / width;
-        let mut dip = self.differs(distance) * nearby(singularity, width, widths);
+        let mut dip = self.differs(distance) * nearby(singularity, width, VICINITY + 1.0);
         while distance < FARTHEST {
             let slopes = match singularity {
                 Singularity::Logarithm => std::f64::consts::LN_2,
@@ -170,7 +131,10 @@ impl<'a> Steady<'a> {
     fn differs(&self, distance: f64) -> f64 {
         let [left, right] = [self.window[0] - distance, self.window[1] + distance];
         let within = [left.max(self.zone[0]), right.min(self.zone[1])];
-        let own = self.negative + density_variation(self.density, within);
+        let mut most = self.negative;
+        if !self.panels.is_empty() {
+            most += density_variation(self.density, within);
+        }
         let images: &[f64] = match self.density.kernel {
             Kernel::Row { period } => &[0.0, -period, period],
             Kernel::Logarithm
@@ -178,7 +142,6 @@ impl<'a> Steady<'a> {
             | Kernel::Layered(_)
             | Kernel::Power { .. } => &[0.0],
         };
-        let mut most = own;
         for (index, panel) in self.density.panels.iter().enumerate() {
             let is_own = self.panels.contains(&index);
             let touches = |image: f64| panel.left + image < right && panel.right + image > left;
@@ -189,36 +152,6 @@ impl<'a> Steady<'a> {
         }
         most
     }
-}
-
-/// The numbers of an interval from left to right; if they are too many some, with a place between them and its neighbours.
-fn numbers([left, right]: [f64; 2], place: f64) -> Vec<f64> {
-    let all = std::iter::successors(Some(left), |x| Some(x.next_up()));
-    let all: Vec<f64> = all.take_while(|x| *x <= right).take(MOST_NUMBERS + 1).collect();
-    if all.len() <= MOST_NUMBERS { all } else { spread([left, right], place) }
-}
-
-/// Numbers of a window from left to right, as many apart from each other, with a place between them and its neighbours.
-pub(crate) fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
-    let beside = [place.next_down(), place, place.next_up()];
-    let parts = (MOST_NUMBERS - 1 - beside.len()) as i64;
-    let (first, last) = (order(left), order(right));
-    let step = last / parts - first / parts;
-    let inner = (1..parts).map(|k| number(first + k * step));
-    let inner = inner.chain(beside).filter(|x| left < *x && *x < right);
-    let mut numbers: Vec<f64> = inner.chain([left, right]).collect();
-    numbers.sort_by(f64::total_cmp);
-    numbers
-}
-
-/// The numbers of the machine in their order, zero being 0.
-pub(crate) fn order(x: f64) -> i64 {
-    let magnitude = x.abs().to_bits() as i64;
-    if x < 0.0 { -magnitude } else { magnitude }
-}
-
-pub(crate) fn number(order: i64) -> f64 {
-    f64::from_bits(order.unsigned_abs()).copysign(order as f64)
 }
 
 #[cfg(test)]
@@ -273,7 +206,7 @@ mod tests {
                             let steady = |x: f64| Steady::new(&density, [x, x + width]).unwrap();
                             for share in [0.0, 0.5, 1.0] {
                                 let x = from + share * (to - from - width);
-                                let dip = steady(x).dip(width);
+                                let dip = steady(x).dip();
                                 let least = potential(x).min(potential(x + width));
                                 let deepest = (1..20)
                                     .map(|k| least - potential(x + width * f64::from(k) / 20.0))

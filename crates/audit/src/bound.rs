@@ -333,11 +333,14 @@ impl Audit<'_> {
         // Beside ends and jumps the panels may miss the pressure by more.
         let [resampled, narrowly] = self.resampled(windows.zones);
         let at_numbers = highest(&self.density.panels, pressure).max(narrowly);
-        let anywhere = self.residual().between_numbers(windows.zones, at_numbers);
+        let at_numbers = at_numbers + pressure + resampled;
+        // Between numbers a narrow tip may be pressed by more.
+        let all = windows.zones.iter().chain(windows.gaps);
+        let anywhere = self.residual().presses(all, at_numbers - margin) + margin;
         Bound {
             mean_square: distance.mean_square + distance.changed,
             pressure: pressure + resampled,
-            highest: Some(anywhere + pressure + resampled),
+            highest: Some(anywhere.max(at_numbers)),
             settlement: off(force.is_none(), line.at_origin() + settlement),
             tilt: off(moment.is_none(), line.slope + tilt),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),

@@ -1,15 +1,20 @@
 //! Windows of some units of the machine, which cannot be resolved further.
 
 use crate::allowance::allowance;
-use crate::between::{CLEAR, MOST_NUMBERS, OPEN, number, order, spread};
 use crate::density::Density;
 use crate::effort::RANGE;
 use crate::kernel::Singularity;
 use crate::places::Places;
 use crate::residual::{Bounded, Residual, blur};
 
+/// Numbers of a window that are looked at one by one.
+const MOST_NUMBERS: usize = 40;
+/// Within this distance of a jump a formula may leave open on which side of it a number lies: its parts are rounded, and none is much larger than the base.
+const OPEN: f64 = 256.0 * f64::EPSILON;
+/// So many times that far from a jump heights are off by their rounding.
+const CLEAR: f64 = 2.0;
 /// What is no more than so many times as much as rounding is rounding.
-pub(crate) const ROUNDED: f64 = 4.0;
+const ROUNDED: f64 = 4.0;
 /// In so many widths about a window the density is taken as a constant and what it differs from that.
 pub(crate) const VICINITY: f64 = 64.0;
 
@@ -256,6 +261,29 @@ impl Residual<'_> {
         };
         steady * 2.0 * width * width * slope + unsteady * sum + farther
     }
+}
+
+/// Numbers of a window from left to right, as many apart from each other, with a place between them and its neighbours.
+fn spread([left, right]: [f64; 2], place: f64) -> Vec<f64> {
+    let beside = [place.next_down(), place, place.next_up()];
+    let parts = (MOST_NUMBERS - 1 - beside.len()) as i64;
+    let (first, last) = (order(left), order(right));
+    let step = last / parts - first / parts;
+    let inner = (1..parts).map(|k| number(first + k * step));
+    let inner = inner.chain(beside).filter(|x| left < *x && *x < right);
+    let mut numbers: Vec<f64> = inner.chain([left, right]).collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers
+}
+
+/// The numbers of the machine in their order, zero being 0.
+fn order(x: f64) -> i64 {
+    let magnitude = x.abs().to_bits() as i64;
+    if x < 0.0 { -magnitude } else { magnitude }
+}
+
+fn number(order: i64) -> f64 {
+    f64::from_bits(order.unsigned_abs()).copysign(order as f64)
 }
 
 /// A bound of `int |sigma(|x - t|) - sigma(|y - t|)| dt` over what is within so many widths of two places that are `width` apart.

@@ -1,9 +1,7 @@
 //! A residual looked at on windows: what samples could have missed of the profile is bounded, of the potential estimated by the last coefficients.
 
-use crate::between::{Pressed, pressed_between};
 use crate::chebyshev::{lebesgue, nodes};
 use crate::heights::Known;
-use crate::layer;
 use crate::profile::Profile;
 use crate::residual::{TooManyWindows, blur};
 
@@ -18,12 +16,15 @@ const FINEST: f64 = 16.0 * f64::EPSILON;
 pub(crate) const SMALLEST: f64 = 1e-3;
 
 /// A residual that can be computed at places.
-pub(crate) trait Field: Pressed {
+pub(crate) trait Field {
     /// `w(x)` and what its rounding may be.
     fn residual(&self, x: f64) -> (f64, f64);
 
     /// How often its density was looked at.
     fn looks(&self) -> u64;
+
+    /// What presses at most at any place of a short window.
+    fn presses(&self, window: [f64; 2]) -> f64;
 
     /// The profile in it, where it has one.
     fn profile(&self) -> Option<&dyn Profile>;
@@ -40,14 +41,26 @@ pub(crate) struct Seen {
     pub(crate) square: f64,
     /// The least `w`.
     pub(crate) least: f64,
-    /// What the layer is pressed by at most between numbers, where the window is in a zone and was not resolved.
-    pub(crate) between: f64,
+    /// What presses at most at any place, where the window was not resolved.
+    pub(crate) presses: f64,
 }
 
-/// The largest pressure of a layer `p^kappa`, between numbers as well, if it is `known` at these.
-pub(crate) fn highest_between(zones: &[Seen], kappa: f64, known: f64) -> f64 {
-    let between = zones.iter().fold(f64::NEG_INFINITY, |most, window| most.max(window.between));
-    known.max(layer::pressure(kappa, between))
+/// Where the base bends, the pressure may be largest beside a number also where it is resolved at all of these: in the last units of the machine before a step. Places of less than this share of the largest are none of those.
+const HIGH: f64 = 0.5;
+
+/// What presses at most about places where the base bends and the pressure is high.
+pub(crate) fn presses_about(
+    field: &impl Field,
+    (cuts, high): (&[f64], f64),
+    density: impl Fn(f64) -> f64,
+) -> f64 {
+    let windows = cuts.iter().map(|cut| {
+        let blur = blur(cut.abs());
+        [(cut - blur).max(-1.0), (cut + blur).min(1.0)]
+    });
+    let is_high = |window: &[f64; 2]| window.iter().any(|x| density(*x) >= HIGH * high);
+    let presses = windows.filter(is_high).map(|window| field.presses(window));
+    presses.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Windows below this width can be taken out: there the density is what its own potential makes it.
@@ -143,7 +156,7 @@ fn window(
             largest,
             square,
             least: -largest,
-            between: f64::NEG_INFINITY,
+            presses: f64::NEG_INFINITY,
         });
     }
     let least = series[0] - swing - missed;
@@ -154,7 +167,7 @@ fn window(
     }
     let largest = (-least).max(0.0);
     let square = largest * largest * 2.0 * r;
-    Some(Seen { left, right, largest, square, least, between: f64::NEG_INFINITY })
+    Some(Seen { left, right, largest, square, least, presses: f64::NEG_INFINITY })
 }
 
 /// A window of some units of the machine: a jump of the profile, whose height there is that of either side.
@@ -175,11 +188,6 @@ fn narrow(field: &impl Field, [left, right]: [f64; 2], is_zone: bool) -> Seen {
         least = least.min(lower - noise);
     }
     let square = anywhere * anywhere * (right - left);
-    let between = match field.profile() {
-        Some(profile) if is_zone => {
-            pressed_between(profile, [left, right], field, f64::NEG_INFINITY)
-        }
-        _ => f64::NEG_INFINITY,
-    };
-    Seen { left, right, largest, square, least, between }
+    let presses = field.presses([left, right]);
+    Seen { left, right, largest, square, least, presses }
 }

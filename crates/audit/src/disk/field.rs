@@ -3,7 +3,7 @@
 use super::kernel::mass;
 use super::potential::Radial;
 use super::{DiskProblem, UNIT};
-use crate::between::Pressed;
+use crate::between::Pressing;
 use crate::layer;
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
@@ -106,6 +106,13 @@ impl<'a> Part<'a> {
         self.changed
     }
 
+    /// `q(r)` of the answer, in a zone.
+    fn own(&self, r: f64) -> f64 {
+        let index = self.density.panels().partition_point(|panel| panel.right < r);
+        let is_inside = self.density.panels().get(index).is_some_and(|panel| panel.left <= r);
+        if is_inside { (self.own)(r) } else { 0.0 }
+    }
+
     /// `[int w u r dr, int u^2 r dr]` by the middles of the panels.
     pub(super) fn mean(&self, u: &dyn Fn(f64) -> f64) -> [f64; 2] {
         let mut sums = [0.0; 2];
@@ -138,29 +145,12 @@ impl<'a> Part<'a> {
     }
 }
 
-/// What the potential changes between numbers is not looked at.
-impl Pressed for Part<'_> {
-    fn pressed(&self, r: f64) -> Option<f64> {
-        let index = self.density.panels().partition_point(|panel| panel.right < r);
-        self.density.panels().get(index).filter(|panel| panel.left <= r)?;
-        let q = (self.own)(r);
-        // What pulls by rounding is cut off.
-        let q = if self.is_bilateral || self.profile.is_none() { q } else { q.max(0.0) };
-        Some(layer::displacement(self.layer, q))
-    }
-
-    fn rise(&self, _: f64, _: f64) -> f64 {
-        0.0
-    }
-
-    fn bulge(&self, _: &[f64]) -> f64 {
-        0.0
-    }
-}
-
 impl Field for Part<'_> {
     fn residual(&self, r: f64) -> (f64, f64) {
-        let layer = self.pressed(r).unwrap_or(0.0);
+        let q = self.own(r);
+        // What pulls by rounding is cut off.
+        let q = if self.is_bilateral || self.profile.is_none() { q } else { q.max(0.0) };
+        let layer = layer::displacement(self.layer, q);
         let (potential, rounding) = self.density.potential(r);
         let [low, high] = self.profile.map_or([0.0; 2], |profile| profile.height(r));
         let height = 0.5 * (low + high);
@@ -170,6 +160,14 @@ impl Field for Part<'_> {
         let scaled = self.scaled * (self.theta * potential.abs() + given);
         let noise = self.theta * (rounding + self.misfit) + self.rounding;
         (value, noise + 0.5 * (high - low) + UNIT * size + scaled)
+    }
+
+    /// What the potential falls below that at both ends is left out.
+    fn presses(&self, window: [f64; 2]) -> f64 {
+        let Self { theta, settlement, tilt, scaled, .. } = *self;
+        let Some(base) = self.profile else { return f64::NEG_INFINITY };
+        let potentials = window.map(|r| self.density.potential(r));
+        Pressing { base, theta, settlement, tilt, scaled }.most(window, potentials, 0.0)
     }
 
     fn looks(&self) -> u64 {

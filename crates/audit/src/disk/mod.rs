@@ -21,7 +21,7 @@ use crate::open::free_ends;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, Prescribed, Refusal};
 use crate::profile::Profile;
-use crate::sampled::{Seen, cover, highest_between, largest};
+use crate::sampled::{Seen, cover, largest, presses_about};
 use field::{Part, Resampled};
 use kernel::Harmonic;
 use potential::Radial;
@@ -341,8 +341,13 @@ impl<'a> Audit<'a> {
             mean_square,
             pressure: off + resampled,
             highest: self.lean.is_none().then(|| {
-                let at_numbers = highest(self.level.density.panels(), off);
-                highest_between(seen, problem.layer, at_numbers) + off + resampled
+                let at_numbers = highest(self.level.density.panels(), off) + off + resampled;
+                // Between numbers a narrow tip may be pressed by more.
+                let high = (problem.cuts, self.highest());
+                let about = |r: f64| self.level.density.evaluate(r);
+                let about = presses_about(&self.level, high, about);
+                let most = seen.iter().fold(about, |most, window| most.max(window.presses));
+                at_numbers.max(layer::pressure(problem.layer, most + margin))
             }),
             settlement: unless(force.is_none(), settled + settlement_off),
             tilt: unless(moment.is_none(), tilted + tilt_off),
