@@ -29,10 +29,11 @@ impl Pressing<'_> {
     /// Of the base only the least height counts, so that it does not matter which side of a jump a number lies on.
     pub(crate) fn most(&self, window: [f64; 2], potentials: [(f64, f64); 2], dip: f64) -> f64 {
         let [left, right] = window;
-        // A tip at an end is followed to the inside: by its rounding it may lie beyond.
+        // A tip at an end is followed to the inside: by its rounding it may lie beyond, where a base may have no heights.
         let blur = blur(left.abs().max(right.abs()));
-        // The base ends at -1 and 1.
-        let [low, _] = self.base.range([(left - blur).max(-1.0), (right + blur).min(1.0)]);
+        let [about, within] =
+            [[left - blur, right + blur], window].map(|at| self.base.range(at)[0]);
+        let low = if about.is_finite() { about.min(within) } else { within };
         let turned = (-self.tilt * left).max(-self.tilt * right);
         let [one, other] = potentials.map(|(potential, rounding)| potential - rounding);
         let elastic = self.theta * (one.min(other) - dip);

@@ -89,6 +89,49 @@ fn a_tip_between_two_numbers() {
     }
 }
 
+/// A tip at the foot of a step, where contact ends: at the number of both the height is the tip's, and the solution begins at the next. Hardly moved, the tip lies between numbers that all have its side.
+#[test]
+fn the_foot_of_a_jump() {
+    for (power, share) in [(0.3, 0.5), (0.4, 1.0), (0.2, 0.05)] {
+        let at = |foot: &str| {
+            let profile = format!("1e-3*where(x < {foot}, {share}, abs(x - {foot})^{power})");
+            let text = PLANE.replace("1e-3*TIP", &profile);
+            solve(&text, None).unwrap().with_audit()
+        };
+        let [foot, moved] = ["0.25", "(0.25 - 2^-40)"].map(at);
+        let [peak, exact] = [&foot, &moved].map(Contact::peak_pressure);
+        let [stated, known] =
+            [&foot, &moved].map(|contact| contact.error().unwrap().peak_pressure.unwrap());
+        // The pressure changes by less than its size for each unit of the place.
+        let known = known + 2f64.powi(-39) * exact;
+        assert!((peak - exact).abs() <= stated + known, "{power}: {peak} {exact} {stated} {known}");
+        assert!(stated <= 2.0 * ((exact - peak).abs() + known), "{power}: {stated} {known}");
+    }
+}
+
+/// A base that touches between two numbers only, 17 times as hard as where the zone is: what that carries is nothing.
+#[test]
+fn a_gap_that_touches_between_numbers() {
+    let contact = solve(HIDDEN, None).unwrap().with_audit();
+    let bound = contact.peak_pressure() + contact.error().unwrap().peak_pressure.unwrap();
+    // Where the base has no height the layer gives all of the settlement, but for what the force of the zone adds: 0.854 N/m over the modulus.
+    let exact = contact.settlement() / 1e-6;
+    assert!(contact.peak_pressure() < 0.1 * exact && bound >= 0.999 * exact, "{bound} {exact}");
+    assert!(bound < 1.001 * exact, "{bound} {exact}");
+}
+
+const HIDDEN: &str = r#"[foundation]
+young_modulus = 1e9
+poisson_ratio = 0.3
+roughness = 1e-6
+[punch]
+half_width = 1
+profile = "min(1e-3*abs(x - 0.1 - 0.2)^0.05, 0.00011892058818577952 + 1e-3*(x+0.5)^2)"
+[load]
+settlement = 0.00012635312494739073
+tilt = 0
+"#;
+
 /// Beside a jump, and where contact ends at one, nothing of its height counts.
 #[test]
 fn no_jump_is_a_tip() {

@@ -10,6 +10,7 @@ mod beside_kinks;
 mod beside_tips;
 #[path = "../../examples/audit_survey/coarse.rs"]
 mod coarse;
+mod crests;
 mod cross_check;
 mod disks;
 #[path = "../../examples/audit_survey/draw.rs"]
