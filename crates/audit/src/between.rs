@@ -24,16 +24,19 @@ pub(crate) struct Pressing<'a> {
 }
 
 impl Pressing<'_> {
+    /// The least height. A tip at an end is followed to the inside: by its rounding it may lie beyond, where a base may have no heights.
+    fn low(&self, [left, right]: [f64; 2]) -> f64 {
+        let blur = blur(left.abs().max(right.abs()));
+        let [about, within] =
+            [[left - blur, right + blur], [left, right]].map(|at| self.base.range(at)[0]);
+        if about.is_finite() { about.min(within) } else { within }
+    }
+
     /// A bound of what presses at any place of a window, by the potential at both of its ends, with its rounding, and how far it may lie below these between them.
     ///
     /// Of the base only the least height counts, so that it does not matter which side of a jump a number lies on.
     pub(crate) fn most(&self, window: [f64; 2], potentials: [(f64, f64); 2], dip: f64) -> f64 {
-        let [left, right] = window;
-        // A tip at an end is followed to the inside: by its rounding it may lie beyond, where a base may have no heights.
-        let blur = blur(left.abs().max(right.abs()));
-        let [about, within] =
-            [[left - blur, right + blur], window].map(|at| self.base.range(at)[0]);
-        let low = if about.is_finite() { about.min(within) } else { within };
+        let ([left, right], low) = (window, self.low(window));
         let turned = (-self.tilt * left).max(-self.tilt * right);
         let [one, other] = potentials.map(|(potential, rounding)| potential - rounding);
         let elastic = self.theta * (one.min(other) - dip);
@@ -55,8 +58,9 @@ impl Residual<'_> {
         let narrow = windows.filter(|window| window.is_narrow);
         narrow.fold(known, |most, window| {
             let Bounded { left, right, least, .. } = *window;
-            // What the least residual leaves to the pressure.
-            if self.density.evaluate(0.5 * (left + right)) - least <= most {
+            // What the least residual leaves to the pressure, with a tip at an end.
+            let beyond = (base.range([left, right])[0] - pressing.low([left, right])).max(0.0);
+            if self.density.evaluate(0.5 * (left + right)) - least + beyond <= most {
                 return most;
             }
             let dip = match Steady::new(self.density, [left, right]) {
