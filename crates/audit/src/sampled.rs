@@ -45,7 +45,7 @@ pub(crate) struct Seen {
     pub(crate) presses: f64,
 }
 
-/// Where the base bends, the pressure may be largest beside a number also where it is resolved at all of these: in the last units of the machine before a step. Places of less than this share of the largest are none of those.
+/// Where the base bends, the pressure may be largest beside a number also where it is resolved at all of these: in the last units of the machine before a step. Places of less than this share of the largest are none of those (survey).
 const HIGH: f64 = 0.5;
 
 /// What presses at most about places where the base bends and the pressure is high.

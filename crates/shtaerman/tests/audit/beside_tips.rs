@@ -60,10 +60,12 @@ fn a_tip_beyond_the_period() {
 /// Where a formula has its tip between two numbers the pressure under it is larger than at any: what an audit states of the largest pressure counts that, on all grounds and layers.
 #[test]
 fn a_tip_between_two_numbers() {
+    let graded = PLANE.replace("young_modulus", "grading_exponent = 0.3\ngrading_modulus");
+    let bent = PLANE.replace("1e-12", "{ coefficient = 6e-8, exponent = 0.4 }");
     for (text, variable, tip) in [
         (PLANE, "x", "abs(PLACE)"),
-        (GRADED, "x", "abs(PLACE)"),
-        (BENT, "x", "abs(PLACE)"),
+        (&graded, "x", "abs(PLACE)"),
+        (&bent, "x", "abs(PLACE)"),
         (DISK, "r", "abs(PLACE)"),
         (ROW, "x", "abs(sin(pi*(PLACE)/2))"),
     ] {
@@ -151,31 +153,6 @@ const PLANE: &str = r#"[foundation]
 young_modulus = 1e9
 poisson_ratio = 0.3
 roughness = 1e-12
-[punch]
-half_width = 1.0
-profile = "1e-3*TIP + 5e-4*x^2"
-[load]
-force = 2e5
-moment = 0
-"#;
-
-const GRADED: &str = r#"[foundation]
-grading_exponent = 0.3
-grading_modulus = 1e9
-poisson_ratio = 0.3
-roughness = 1e-12
-[punch]
-half_width = 1.0
-profile = "1e-3*TIP + 5e-4*x^2"
-[load]
-force = 2e5
-moment = 0
-"#;
-
-const BENT: &str = r#"[foundation]
-young_modulus = 1e9
-poisson_ratio = 0.3
-roughness = { coefficient = 6e-8, exponent = 0.4 }
 [punch]
 half_width = 1.0
 profile = "1e-3*TIP + 5e-4*x^2"
