@@ -103,10 +103,16 @@ impl Tree {
         level: u32,
         local: &mut AtPoints<N>,
     ) {
-        let across = &self.across[(level - SHALLOWEST) as usize];
+        let (across, factor) = self.across(b, level);
         for (matrix, other) in across.iter().zip(self.in_reach(b, level)) {
-            if let Some(source) = other.map(|other| &moments[other]).filter(|m| !is_nothing(m)) {
+            let Some(source) = other.map(|other| &moments[other]).filter(|m| !is_nothing(m)) else {
+                continue;
+            };
+            if factor == 1.0 {
                 add_product(matrix, source, local);
+            } else {
+                let scaled = source.map(|charges| charges.map(|charge| factor * charge));
+                add_product(matrix, &scaled, local);
             }
         }
     }
@@ -148,7 +154,9 @@ impl Tree {
             for other in self.in_reach(b, level).into_iter().flatten() {
                 let (middle, half) = self.middle(other, level);
                 let [own] = &moments[other];
-                points().iter().zip(own).for_each(|(t, own)| charge(middle + half * t, *own));
+                if !is_nothing(&moments[other]) {
+                    points().iter().zip(own).for_each(|(t, own)| charge(middle + half * t, *own));
+                }
             }
         }
     }

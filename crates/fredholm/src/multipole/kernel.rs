@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::rings;
 use super::rule::logarithm_moments;
 use super::sums::SIDE_BY_SIDE;
 use crate::Error;
@@ -28,7 +29,7 @@ const LOGARITHM_OF_PI: f64 = 1.144_729_885_849_400_2;
 /// Most moments.
 const MOST: usize = super::rule::MOST;
 
-/// A kernel `K(x - s)` on `[-1, 1]`.
+/// A kernel `K(x - s)` on `[-1, 1]`, or that of rings on `[0, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PanelKernel {
     /// `ln 1/|x - s|`.
@@ -40,6 +41,8 @@ pub enum PanelKernel {
         /// `mu`, between 0 and 1.
         exponent: f64,
     },
+    /// `2 K(k)/(x + s)`, `k^2 = 4 x s/(x + s)^2`, for densities times `s ds`: rings of the radii `x` and `s` about an axis. Where they meet it is `ln(1/|x - s|)/s`.
+    Ring,
 }
 
 impl PanelKernel {
@@ -56,30 +59,40 @@ impl PanelKernel {
         }
     }
 
-    /// `K(d)` for a distance that is not zero.
+    /// `K(d)` for a distance that is not zero; of rings about an axis what it begins with at their own places.
     #[must_use]
     pub fn value(self, d: f64) -> f64 {
         match self {
-            Self::Logarithm => -d.abs().ln(),
+            Self::Logarithm | Self::Ring => -d.abs().ln(),
             Self::Sine => -(2.0 * (FRAC_PI_2 * self.shortest(d)).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
         }
     }
 
-    /// `K'(d)`, and zero at the place itself.
-    pub(super) fn slope(self, d: f64) -> f64 {
-        let d = self.shortest(d);
+    /// `dK/dx`, and zero at the place itself.
+    pub(super) fn slope(self, x: f64, s: f64) -> f64 {
+        let d = self.shortest(x - s);
         match self {
             _ if d == 0.0 => 0.0,
+            Self::Ring => rings::slope(x, s),
             Self::Logarithm => -1.0 / d,
             Self::Sine => -FRAC_PI_2 / (FRAC_PI_2 * d).tan(),
             Self::Power { exponent } => -exponent * d.abs().powf(-exponent) / d,
         }
     }
 
-    /// Replaces distances, none of them zero, by the kernel.
+    /// How far apart two places are, and by what a value for that is to be multiplied.
+    pub(super) fn apart(self, x: f64, s: f64) -> [f64; 2] {
+        match self {
+            Self::Ring => rings::apart(x, s, x - s),
+            _ => [x - s, 1.0],
+        }
+    }
+
+    /// Replaces [distances](Self::apart), none of them zero, by the kernel.
     pub(super) fn values(self, distances: &mut [f64]) {
         match self {
+            Self::Ring => return rings::values(distances),
             Self::Logarithm => distances.iter_mut().for_each(|d| *d = d.abs()),
             Self::Sine => {
                 let mut remainders = [0.0; SIDE_BY_SIDE];
@@ -100,6 +113,11 @@ impl PanelKernel {
         }
         logarithms(distances);
         distances.iter_mut().for_each(|value| *value = -*value);
+    }
+
+    /// Whether places are distances from an axis.
+    pub(super) fn is_about_axis(self) -> bool {
+        self == Self::Ring
     }
 
     /// Whether the ends of `[-1, 1]` are one place.
@@ -124,14 +142,26 @@ impl PanelKernel {
                 }
                 -(PI * angle.sin() / angle).ln()
             }
-            Self::Logarithm | Self::Power { .. } => 0.0,
+            _ => 0.0,
+        }
+    }
+
+    /// The entry of a node near to a place: with what the [moments](Self::moments) make of it, what is added to the kernel on its panel, and its weight.
+    #[inline(always)]
+    pub(super) fn entry(self, (x, node): (f64, f64), exact: f64, added: f64, weight: f64) -> f64 {
+        match self {
+            Self::Ring => {
+                let [logarithm, rest] = rings::split(x, node);
+                logarithm * (exact * node + added * weight) + rest * weight
+            }
+            _ => exact + (added + self.remainder(x - node)) * weight,
         }
     }
 
     /// `int_{-1}^{1} K(z - y) P_k(y) dy` without the remainder.
     pub(super) fn moments(self, z: f64, moments: &mut [f64]) {
         match self {
-            Self::Logarithm | Self::Sine => logarithm_moments(z, moments),
+            Self::Logarithm | Self::Sine | Self::Ring => logarithm_moments(z, moments),
             Self::Power { exponent } => power_moments(exponent, z, moments),
         }
     }
@@ -139,7 +169,7 @@ impl PanelKernel {
     /// Factor of the moments on a panel of this half-length, and what is added to the kernel there.
     pub(super) fn scale(self, half: f64) -> [f64; 2] {
         match self {
-            Self::Logarithm | Self::Sine => [half, -half.ln()],
+            Self::Logarithm | Self::Sine | Self::Ring => [half, -half.ln()],
             Self::Power { exponent } => [half.powf(1.0 - exponent), 0.0],
         }
     }
@@ -154,6 +184,7 @@ impl PanelKernel {
                 mean_logarithm(left, right) + mean_logarithm(right, image) - mean_ratio(left, right)
             }
             Self::Power { exponent } => mean_power(left, right, exponent),
+            Self::Ring => rings::mean(left, right),
         }
     }
 }

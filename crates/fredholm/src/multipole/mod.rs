@@ -1,4 +1,4 @@
-//! The logarithm, on a line or a circle, and powers on very many panels: collocation at Gauss nodes, products in time proportional to their number by a fast multipole method (V. Rokhlin, *Rapid solution of
+//! The logarithm, on a line or a circle, powers, and rings about an axis on very many panels: collocation at Gauss nodes, products in time proportional to their number by a fast multipole method (V. Rokhlin, *Rapid solution of
 //! integral equations of classical potential theory*, J. Comput. Phys. 60 (1985) 187; here with interpolation at Chebyshev points, W. Fong and E. Darve, J. Comput. Phys. 228
 //! (2009) 8712), and the equation of the second kind by GMRES with the means over groups of panels solved exactly, and each group by itself.
 //!
@@ -11,6 +11,7 @@ mod krylov;
 mod near;
 mod operator;
 mod panels;
+mod rings;
 mod rule;
 mod sums;
 mod threads;

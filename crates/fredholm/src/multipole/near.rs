@@ -27,6 +27,8 @@ enum Near {
     Known { table: usize, row: usize },
     /// At this place of the panel, from -1 to 1, or beside it.
     At(f64),
+    /// At this multiple of the radius of a panel that begins at the axis.
+    FromAxis(f64),
 }
 
 impl<'p> NearEntries<'p> {
@@ -54,7 +56,7 @@ impl<'p> NearEntries<'p> {
                     match near {
                         Near::Plain => {
                             let others = entries.iter_mut().zip(&places[inside]);
-                            others.for_each(|(entry, place)| *entry = x - place);
+                            others.for_each(|(entry, s)| [*entry, _] = self.kernel.apart(x, *s));
                         }
                         // Any that has a logarithm.
                         _ => entries.fill(1.0),
@@ -90,10 +92,23 @@ impl<'p> NearEntries<'p> {
     ) {
         let order = self.panels.order();
         let weights = &self.panels.weights()[inside.clone()];
+        let x = self.panels.nodes()[node];
+        let places = &self.panels.nodes()[inside.clone()];
         let mut found = [0.0; super::rule::MOST];
         let exact = match near {
             Near::Plain => {
                 entries.iter_mut().zip(weights).for_each(|(entry, weight)| *entry *= weight);
+                if self.kernel.is_about_axis() {
+                    let others = entries.iter_mut().zip(places);
+                    others.for_each(|(entry, s)| *entry *= self.kernel.apart(x, *s)[1]);
+                }
+                return;
+            }
+            Near::FromAxis(x) => {
+                self.panels.rule.weights_from_axis(x, &mut found[..order]);
+                let [_, radius] = self.panels.bounds()[panel];
+                let exact = &found[inside.start - panel * order..inside.end - panel * order];
+                entries.iter_mut().zip(exact).for_each(|(entry, exact)| *entry = radius * exact);
                 return;
             }
             Near::Known { table, row } => &self.tables[table][row * order..(row + 1) * order],
@@ -105,13 +120,10 @@ impl<'p> NearEntries<'p> {
         let (_, half) = self.panels.middle(panel);
         let [factor, level] = self.kernel.scale(half);
         let exact = &exact[inside.start - panel * order..inside.end - panel * order];
-        let x = self.panels.nodes()[node];
-        let places = &self.panels.nodes()[inside.clone()];
         for (((entry, exact), weight), place) in
             entries.iter_mut().zip(exact).zip(weights).zip(places)
         {
-            let added = level + self.kernel.remainder(x - place);
-            *entry = factor * exact + added * weight;
+            *entry = self.kernel.entry((x, *place), factor * exact, level, *weight);
         }
     }
 
@@ -133,6 +145,9 @@ impl<'p> NearEntries<'p> {
         let z = self.panels.local(self.kernel, panel, self.panels.nodes()[node]);
         if z.abs() >= rule.far {
             return Near::Plain;
+        }
+        if let Some(radius) = self.panels.from_axis(panel) {
+            return Near::FromAxis(self.panels.nodes()[node] / radius);
         }
         if node / order == panel {
             return Near::Known { table: middle, row };

@@ -11,7 +11,7 @@ use super::sums::{Lanes, PlainSum};
 use super::threads::{each, parts_of};
 use super::tree::{AtPoints, Tree, interpolate};
 use crate::Error;
-use crate::linear::vectorised;
+use crate::linear::{dot, vectorised};
 
 /// Nodes of a leaf, about.
 const CROWD: usize = 12;
@@ -95,6 +95,13 @@ impl PanelOperator {
     /// The boxes, and where the matrices of the leaves begin.
     fn boxes(kernel: PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
         kernel.check()?;
+        if kernel.is_about_axis() != panels.are_rings {
+            return Err(Error::InvalidParameter {
+                name: "begin of the first panel",
+                value: panels.bounds[0][0],
+                requirement: "that of rings about an axis for their kernel, and for no other",
+            });
+        }
         let longest =
             panels.bounds.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
         if longest > 2.0 * LONGEST {
@@ -345,7 +352,7 @@ impl PanelField {
         let slope_at = |x: &f64| {
             let mut sums = [0.0; 2];
             let mut add = |place: f64, charge: f64| {
-                let part = charge * self.kernel.slope(x - place);
+                let part = charge * self.kernel.slope(*x, place);
                 sums = [sums[0] + part, sums[1] + part.abs()];
             };
             let leaf = self.tree.leaf(*x);
@@ -374,8 +381,12 @@ impl PanelField {
             if z.abs() >= self.panels.rule.far {
                 let part = all.start.max(nodes.start)..all.end.min(nodes.end);
                 for (place, charge) in places[part.clone()].iter().zip(&charges[part]) {
-                    plain.add(x - place, *charge);
+                    plain.add((x, *place), *charge);
                 }
+                continue;
+            }
+            if self.kernel.is_about_axis() {
+                sum += self.of_ring(x, panel, z);
                 continue;
             }
             self.kernel.moments(z, moments);
@@ -389,6 +400,27 @@ impl PanelField {
             }
         }
         sum + plain.total()
+    }
+
+    /// The potential of a panel of rings near to a place.
+    fn of_ring(&self, x: f64, panel: usize, z: f64) -> f64 {
+        let (rule, order) = (&self.panels.rule, self.panels.order());
+        let all = panel * order..(panel + 1) * order;
+        let mut weights = [0.0; super::rule::MOST];
+        let weights = &mut weights[..order];
+        if let Some(radius) = self.panels.from_axis(panel) {
+            rule.weights_from_axis(x / radius, weights);
+            return radius * dot(weights, &self.values[all]);
+        }
+        rule.weights_at(self.kernel, z, weights);
+        let (_, half) = self.panels.middle(panel);
+        let [factor, level] = self.kernel.scale(half);
+        let places = self.panels.nodes()[all.clone()].iter();
+        let own = self.panels.weights()[all.clone()].iter();
+        for ((exact, place), weight) in weights.iter_mut().zip(places).zip(own) {
+            *exact = self.kernel.entry((x, *place), factor * *exact, level, *weight);
+        }
+        dot(weights, &self.values[all])
     }
 }
 

@@ -18,6 +18,8 @@ pub struct Panels {
     pub(super) bounds: Vec<[f64; 2]>,
     nodes: Vec<f64>,
     weights: Vec<f64>,
+    /// Whether places are distances from an axis, and integrals over `s ds`.
+    pub(super) are_rings: bool,
 }
 
 impl Panels {
@@ -50,7 +52,29 @@ impl Panels {
             nodes.extend(rule.nodes.iter().map(|y| middle + half * y));
             weights.extend(rule.weights.iter().map(|w| half * w));
         }
-        Ok(Self { rule, bounds, nodes, weights })
+        Ok(Self { rule, bounds, nodes, weights, are_rings: false })
+    }
+
+    /// The same as rings about an axis, of radii in `[0, 1]`, with integrals over `s ds`.
+    ///
+    /// # Errors
+    /// Those of [`Panels::new`]; [`Error::InvalidParameter`] for panels that begin below 0.
+    pub fn about_axis(bounds: Vec<[f64; 2]>, order: usize) -> Result<Self, Error> {
+        let mut panels = Self::new(bounds, order)?;
+        let [first, _] = panels.bounds[0];
+        if first < 0.0 {
+            let (name, requirement) = ("begin of the first ring", "at least 0");
+            return Err(Error::InvalidParameter { name, value: first, requirement });
+        }
+        panels.weights.iter_mut().zip(&panels.nodes).for_each(|(weight, s)| *weight *= s);
+        panels.are_rings = true;
+        Ok(panels)
+    }
+
+    /// The radius of a panel that begins at the axis.
+    pub(super) fn from_axis(&self, panel: usize) -> Option<f64> {
+        let [left, right] = self.bounds[panel];
+        (self.are_rings && left == 0.0).then_some(right)
     }
 
     /// Number of nodes of each panel.
@@ -71,7 +95,7 @@ impl Panels {
         &self.nodes
     }
 
-    /// Weights of the nodes: `sum w_j phi(x_j)` is the integral over all panels.
+    /// Weights of the nodes: `sum w_j phi(x_j)` is the integral over all panels, of rings over `s ds`.
     #[must_use]
     pub fn weights(&self) -> &[f64] {
         &self.weights

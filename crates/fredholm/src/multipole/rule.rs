@@ -78,8 +78,13 @@ impl PanelRule {
         let mut moments = [0.0; MOST + 1];
         let moments = &mut moments[..order];
         kernel.moments(z, moments);
+        self.from_moments(moments, weights);
+    }
+
+    /// The weights that give values the sum of their Legendre coefficients times these.
+    pub(super) fn from_moments(&self, moments: &[f64], weights: &mut [f64]) {
         weights.fill(0.0);
-        for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(order)) {
+        for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(self.order())) {
             weights.iter_mut().zip(row).for_each(|(w, a)| *w += moment * a);
         }
     }

@@ -50,8 +50,10 @@ impl PlainSum {
         Self { kernel, distances: none, charges: none, count: 0, sum: 0.0 }
     }
 
-    pub(super) fn add(&mut self, distance: f64, charge: f64) {
-        (self.distances[self.count], self.charges[self.count]) = (distance, charge);
+    /// A charge at a place, seen from another.
+    pub(super) fn add(&mut self, (x, place): (f64, f64), charge: f64) {
+        let [distance, factor] = self.kernel.apart(x, place);
+        (self.distances[self.count], self.charges[self.count]) = (distance, factor * charge);
         self.count += 1;
         if self.count == SIDE_BY_SIDE {
             self.flush();

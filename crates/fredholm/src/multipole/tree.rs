@@ -5,12 +5,15 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use super::kernel::PanelKernel;
+use super::rings;
 use super::threads::{each, parts_of};
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
 /// Multiplications for a value of a cardinal polynomial, about: a quotient is worth several.
 const CARDINAL: usize = 8;
+/// Multiplications for a value of the kernel of rings, about.
+const BETWEEN: usize = 30;
 /// The offsets of boxes that act on each other: those of the neighbours of the parent that are no neighbours.
 pub(super) const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
 /// Most halvings.
@@ -33,12 +36,20 @@ pub(super) struct Tree {
     cardinal: Vec<[f64; POINTS]>,
     /// Whether the first box is a neighbour of the last.
     pub(super) is_closed: bool,
-    /// `K(h (t_i - (2 offset + t_k)))` for the offsets, level by level, `h` half of a box.
-    pub(super) across: Vec<[Square; 4]>,
+    pub(super) across: Across,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
     pub(super) halves: &'static [Square; 2],
     /// The same with rows for columns.
     pub(super) gathers: &'static [Square; 2],
+}
+
+/// Between points of boxes by their offsets.
+#[derive(Debug, Clone)]
+pub(super) enum Across {
+    /// `K(h (t_i - (2 offset + t_k)))`, level by level, `h` half of a box.
+    Shifted(Vec<[Square; 4]>),
+    /// Of rings `h K`, box by box from the axis on: for boxes of any size the same.
+    Rings(Vec<[Square; 4]>),
 }
 
 /// A value of each of some functions at each point of a box.
@@ -51,7 +62,11 @@ impl Tree {
         let fewest = 1usize << SHALLOWEST;
         let crowded = nodes.len().div_ceil(crowd).clamp(fewest, 1 << DEEPEST);
         let mut covering = crowded.min((2.0 / length) as usize).max(fewest);
-        if is_closed {
+        if kernel.is_about_axis() {
+            // Boxes before the axis are empty.
+            covering = (2 * crowded).min(1 << DEEPEST).min((2.0 / length) as usize).max(fewest);
+        }
+        if is_closed || kernel.is_about_axis() {
             covering = 1 << covering.ilog2();
         }
         let depth = covering.next_power_of_two().ilog2();
@@ -66,20 +81,13 @@ impl Tree {
             *start = next;
         }
         let [halves, gathers] = &CHEBYSHEV.halves;
-        let (across, cardinal) = (Vec::new(), Vec::new());
+        let (across, cardinal) = (Across::Shifted(Vec::new()), Vec::new());
         Self { depth, covering, starts, cardinal, is_closed, across, halves, gathers }
     }
 
     /// With all that products take.
     pub(super) fn filled(mut self, kernel: PanelKernel, nodes: &[f64]) -> Self {
-        let points = &CHEBYSHEV.points;
-        let across = (SHALLOWEST..=self.depth).map(|level| {
-            let half = (self.leaves() >> level) as f64 / self.covering as f64;
-            OFFSETS.map(|offset| {
-                square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
-            })
-        });
-        self.across = across.collect();
+        self.across = if kernel.is_about_axis() { self.rings() } else { self.shifted(kernel) };
         let mut values = vec![[0.0; POINTS]; nodes.len()];
         let mut rest = &mut values[..];
         let leaves = (0..self.leaves()).map(|leaf| {
@@ -98,6 +106,56 @@ impl Tree {
         });
         self.cardinal = values;
         self
+    }
+
+    fn shifted(&self, kernel: PanelKernel) -> Across {
+        let points = &CHEBYSHEV.points;
+        let across = (SHALLOWEST..=self.depth).map(|level| {
+            let half = (self.leaves() >> level) as f64 / self.covering as f64;
+            OFFSETS.map(|offset| {
+                square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
+            })
+        });
+        Across::Shifted(across.collect())
+    }
+
+    fn rings(&self) -> Across {
+        let points = &CHEBYSHEV.points;
+        let mut across = vec![[[[0.0; WIDE]; POINTS]; 4]; self.leaves() / 2];
+        let share = across.len().div_ceil(parts_of(BETWEEN * POINTS * POINTS * across.len()));
+        each(across.chunks_mut(share).enumerate().collect(), |(part, across)| {
+            for (within, own) in across.iter_mut().enumerate() {
+                let target = (part * share + within) as isize;
+                for (matrix, offset) in own.iter_mut().zip(OFFSETS) {
+                    // The child on the left acts on the third on its right, the one on the right on the third on its left.
+                    let is_apart =
+                        if offset.abs() == 3 { (offset > 0) == (target % 2 == 0) } else { true };
+                    let source = target + offset;
+                    if source < 0 || !is_apart {
+                        continue;
+                    }
+                    let radius = |of: isize, t: f64| (2 * of + 1) as f64 + t;
+                    *matrix = square(|i, k| {
+                        let (x, s) = (radius(target, points[i]), radius(source, points[k]));
+                        rings::value(x, s, x - s)
+                    });
+                }
+            }
+        });
+        Across::Rings(across)
+    }
+
+    /// The matrices of a box of a level with those in reach, and the factor that they lack.
+    #[inline(always)]
+    pub(super) fn across(&self, b: usize, level: u32) -> (&[Square; 4], f64) {
+        match &self.across {
+            Across::Shifted(across) => (&across[(level - SHALLOWEST) as usize], 1.0),
+            Across::Rings(across) => {
+                let axis = 1usize << (level - 1);
+                // Half a box has the length 1/2^level.
+                (&across[b.saturating_sub(axis)], (2 * axis) as f64)
+            }
+        }
     }
 
     pub(super) fn leaves(&self) -> usize {

@@ -218,7 +218,7 @@ fn slopes_at_ends_where_a_function_vanishes_are_exact() {
                     let d = x - s;
                     w * v
                         * match kernel {
-                            PanelKernel::Logarithm => -1.0 / d,
+                            PanelKernel::Logarithm | PanelKernel::Ring => -1.0 / d,
                             PanelKernel::Sine => -turn * (turn * d).cos() / (turn * d).sin(),
                             PanelKernel::Power { exponent } => {
                                 -exponent * d.signum() * d.abs().powf(-1.0 - exponent)
@@ -228,5 +228,87 @@ fn slopes_at_ends_where_a_function_vanishes_are_exact() {
             let exact: f64 = parts.sum();
             assert!((found - exact).abs() < 1e-12 * size, "{kernel:?} {x}: {found} {exact} {size}");
         }
+    }
+}
+
+/// Rings that are ever shorter towards a place, and from the axis on no longer than their distance from it.
+fn rings(place: f64) -> Vec<[f64; 2]> {
+    let mut bounds = vec![[0.0, 0.01]];
+    while let Some(&[_, left]) = bounds.last()
+        && left < 0.8
+    {
+        let nearest = if left < place { 0.4 * (place - left) } else { 0.6 * (left - place) };
+        let length = (0.5 * left).min(0.03).min(nearest.max(1e-6));
+        bounds.push([left, left + length]);
+    }
+    bounds
+}
+
+#[test]
+fn rings_have_the_potentials_in_closed_form() {
+    for (order, allowed) in [(8, 3e-12), (10, 3e-14), (13, 2e-14)] {
+        let bounds = rings(0.4);
+        let radius = bounds[bounds.len() - 1][1];
+        let panels = Panels::about_axis(bounds, order).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Ring, panels).unwrap();
+        let exact = |x: f64| radius * crate::multipole::rings::uniform(x / radius);
+        let ones = vec![1.0; operator.panels().count()];
+        let potential = operator.potential(&ones);
+        for (x, found) in operator.panels().nodes().iter().zip(potential) {
+            assert!((found - exact(*x)).abs() < allowed, "{order} {x}: {found} {}", exact(*x));
+        }
+        let field = operator.field(&ones);
+        for i in 0..=100 {
+            let x = f64::from(i) / 80.0;
+            assert!((field.at(x) - exact(x)).abs() < allowed, "{x}: {} {}", field.at(x), exact(x));
+        }
+        let area: f64 = operator.panels().weights().iter().sum();
+        assert!((area - 0.5 * radius * radius).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn rings_of_an_uneven_pressure_have_the_potential_of_a_rule_of_their_own() {
+    // An annulus with a gap, and p = cos(3 s^2), by the double exponential rule from the place to all ends.
+    let bounds: Vec<[f64; 2]> = rings(0.3).into_iter().filter(|[left, _]| *left >= 0.2).collect();
+    let bounds: Vec<[f64; 2]> =
+        bounds.into_iter().filter(|[left, right]| *left > 0.55 || *right < 0.5).collect();
+    let panels = Panels::about_axis(bounds.clone(), 13).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Ring, panels).unwrap();
+    let values: Vec<f64> = operator.panels().nodes().iter().map(|s| (3.0 * s * s).cos()).collect();
+    let field = operator.field(&values);
+    let exact = |x: f64| -> f64 {
+        let part = |from: f64, to: f64| -> f64 {
+            let half = 0.5 * (to - from);
+            let rule = crate::quadrature::double_exponential(120);
+            rule.map(|node| {
+                let s = from + half * node.from_left;
+                let difference = (x - from) - half * node.from_left;
+                let apart = difference.abs() / (x + s);
+                let first = crate::special::elliptic::complete_first_kind(apart);
+                half.abs() * node.weight * 2.0 * first / (x + s) * s * (3.0 * s * s).cos()
+            })
+            .sum()
+        };
+        let of = |[left, right]: &[f64; 2]| {
+            if *left < x && x < *right {
+                part(x, *left) + part(x, *right)
+            } else if x <= *left {
+                part(*left, *right)
+            } else {
+                part(*right, *left)
+            }
+        };
+        bounds.iter().map(of).sum()
+    };
+    for x in [0.0, 0.05, 0.1999, 0.25, 0.3001, 0.41, 0.52, 0.55, 0.7, 0.95] {
+        let found = field.at(x);
+        assert!((found - exact(x)).abs() < 1e-13, "{x}: {found} {}", exact(x));
+    }
+    let slopes = field.slopes(&[0.52, 0.95]);
+    for (x, [slope, _]) in [0.52, 0.95].into_iter().zip(slopes) {
+        let difference = (exact(x + 1e-4) - exact(x - 1e-4)) / 2e-4;
+        // The nodes alone integrate it.
+        assert!((slope - difference).abs() < 1e-5, "{x}: {slope} {difference}");
     }
 }

@@ -1,11 +1,12 @@
 //! A half-space under a circular punch, homogeneous or with `E ~ y^mu`: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `dm = eta deta`, for pressures without angle.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use std::sync::Arc;
 
 use fredholm::SincOperator;
 use fredholm::complementarity::{mean_logarithms, mean_powers};
 use fredholm::kernel::{Kernel, WeberSonine};
+use fredholm::multipole::PanelKernel;
 
 use super::STEP;
 use super::shared::{disk_harmonic, disk_operator};
@@ -82,6 +83,14 @@ impl Ground for Disk {
 
     fn known_operator(&self, half_count: usize) -> Option<Result<Arc<SincOperator>, Error>> {
         Some(disk_operator(0, self.exponent(), half_count))
+    }
+
+    fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
+        (self.exponent() == 0.0).then_some((PanelKernel::Ring, 1.0))
+    }
+
+    fn panel_share(&self) -> f64 {
+        FRAC_1_PI
     }
 
     fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {

@@ -163,6 +163,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         None
     }
 
+    /// What that kernel is to be multiplied by to be `K`.
+    fn panel_share(&self) -> f64 {
+        1.0
+    }
+
     /// The kernel of pressures `p(r) cos(phi)` on a disk.
     fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {
         Ok(None)

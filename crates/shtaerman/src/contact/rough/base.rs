@@ -172,9 +172,10 @@ impl Base {
         self
     }
 
-    /// Whether panels serve: on any ground with fast products.
+    /// Whether panels serve: on any ground with fast products. The stiffness of a disk against tilt is found by collocation on its zones, which only a linear layer leaves smooth.
     pub(super) fn has_panels(&self) -> bool {
-        self.ground.panel_kernel().is_some()
+        let is_smooth = self.layer.is_linear() || !self.ground.is_disk();
+        is_smooth && self.ground.panel_kernel().is_some()
     }
 
     pub(super) fn is_measured(&self) -> bool {

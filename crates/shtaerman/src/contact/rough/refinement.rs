@@ -8,7 +8,7 @@ use crate::contact::accuracy::{Accuracy, ROUNDING, SAFETY, STAGNANT, Sizes};
 use crate::contact::parts::Smoothness;
 use crate::contact::resolutions::{Change, Trust, UNKNOWN};
 use crate::contact::stiffness::Stiffness;
-use crate::contact::zones::Zone;
+use crate::contact::zones::{EndKind, Zone};
 use crate::line_search::Point;
 use crate::solver::AIM;
 
@@ -206,7 +206,8 @@ impl<F: Field> Solved<F> {
             Some(if change == 0.0 { 0.0 } else { share * change * change / pressure.max(change) })
         };
         let walls = self.nodes.zones.iter().flat_map(|zone| {
-            (0..2).filter(|&side| !zone.is_free(side)).filter_map(move |side| missed(zone, side))
+            let is_wall = |side: &usize| zone.kinds[*side] == EndKind::Wall;
+            (0..2).filter(is_wall).filter_map(move |side| missed(zone, side))
         });
         walls.fold(0.0, f64::max)
     }

@@ -20,6 +20,7 @@ use crate::contact::rates::{Linearised, Rates};
 use crate::contact::resolutions::Trust;
 use crate::contact::search::{ALLOWED, unknown};
 use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
 use crate::error::require;
 use crate::solver::AIM;
 use crate::{Error, Rotational, Vertical};
@@ -141,14 +142,12 @@ pub(super) fn turned<F: Field>(
     let touches_all_over =
         matches!(&solved.nodes.zones[..], [zone] if zone.ends == [0.0, 1.0]) || base.is_bilateral;
     if !(touches_all_over && base.layer.is_linear()) {
-        let (nodes, half) = (&solved.nodes, solved.nodes.frame.hull.half);
-        let local = |[left, right]: &[f64; 2]| (left / half, (right / half).min(1.0));
-        let panels: Vec<(f64, f64)> = nodes.panels.iter().map(local).collect();
-        let on = (nodes.a_panel() / 2, &panels[..]);
-        let unit = Unit::new(base, &kernel, &nodes.frame.hull, on, &solved.given)?;
-        stiffness.moment_tilt = unit.turning;
-        let lifts_off = Error::LiftsOff { field, value, limit: 0.0 };
-        return if value == 0.0 { Ok((None, 0.0)) } else { Err(lifts_off) };
+        if value != 0.0 {
+            return Err(Error::LiftsOff { field, value, limit: 0.0 });
+        }
+        let [turning, off] = turning(base, &kernel, solved)?;
+        stiffness.moment_tilt = turning;
+        return Ok((None, off));
     }
     let (unit, off) = Unit::resolved(base, &kernel)?;
     stiffness.moment_tilt = unit.turning;
@@ -166,6 +165,32 @@ pub(super) fn turned<F: Field>(
     }
     solved.stated.accuracy = tilted.accuracy(solved.stated.accuracy, &solved.state);
     Ok((Some(tilted), off[1]))
+}
+
+/// `dM0/d(-alpha0)` of a contact with free edges, and what is left of its error but for that of its zones: on the nodes of the pressure, or where those are of panels, which have no kernel for it, on
+/// the whole zones. Under a linear layer nothing of it bends.
+fn turning<F: Field>(
+    base: &Base,
+    kernel: &SharedKernel,
+    solved: &Solved<F>,
+) -> Result<[f64; 2], Error> {
+    let (nodes, hull) = (&solved.nodes, &solved.nodes.frame.hull);
+    let local = |[left, right]: &[f64; 2]| (left / hull.half, (right / hull.half).min(1.0));
+    if F::RATIO.is_some() {
+        let panels: Vec<(f64, f64)> = nodes.panels.iter().map(local).collect();
+        let on = (nodes.a_panel() / 2, &panels[..]);
+        return Ok([Unit::new(base, kernel, hull, on, &solved.given)?.turning, 0.0]);
+    }
+    let panels: Vec<(f64, f64)> = nodes.zones.iter().map(|zone| local(&zone.ends)).collect();
+    let longest = nodes.zones.iter().map(Zone::length).fold(0.0, f64::max);
+    let room = (MOST_DENSE / 2) as f64 / (2.0 * panels.len() as f64);
+    let count = first_half_count(0.5 * base.steepness() * longest).min(room);
+    let on = |count: f64| -> Result<f64, Error> {
+        let count = (count.round() as usize).max(FEWEST);
+        Ok(Unit::new(base, kernel, hull, (count, &panels), &[])?.turning)
+    };
+    let [coarse, fine] = [on(count / RATIO)?, on(count)?];
+    Ok([fine, SAFETY * (fine - coarse).abs()])
 }
 
 impl Tilted {

@@ -8,7 +8,7 @@ use crate::contact::accuracy::ROUNDING;
 use crate::contact::intervals::SLIVER;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::refinement::missed_of_power;
-use crate::contact::zones::Zone;
+use crate::contact::zones::{EndKind, Zone};
 
 /// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well 195 zones take a quarter more time, with 0.7 everywhere answers on graded
 /// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
@@ -79,14 +79,17 @@ impl Anchor {
         let share = |share: f64, power: f64| share.powf(power / (power - exponent));
         let side = zone.ends.iter().position(|end| *end == at);
         let is_free = side.is_some_and(|side| zone.is_free(side));
-        let is_point = side.is_none() && base.is_measured();
-        let is_corner =
-            if side.is_some() { !base.is_joined(zone) } else { base.walls.contains(at) };
+        let is_axis = side.is_some_and(|side| zone.kinds[side] == EndKind::Axis);
+        let is_end = side.is_some() && !is_axis;
+        let is_point = !is_end && base.is_measured();
+        let is_corner = if is_end { !base.is_joined(zone) } else { base.walls.contains(at) };
         let least = if is_free {
             let root = share(FREE.sqrt(), 2.0) * (zone.length().min(LONGEST) * layer).sqrt();
             let kappa = base.layer.exponent();
             let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
             fineness.ends * if base.layer.is_linear() { root } else { root.min(bent) }
+        } else if is_axis && !is_point && !base.breaks.contains(&at) {
+            fineness.longest
         } else if is_point {
             POINT * layer
         } else if is_corner {
@@ -99,6 +102,8 @@ impl Anchor {
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
         let power = if is_corner && !is_free { 1.0 } else { 2.0 };
         let eased = EASED * (power - exponent) / fineness.order as f64;
+        // From the axis on the kernel of rings itself asks for it.
+        let eased = if is_axis { 0.0 } else { eased };
         // The pressure at a free end rises over the length of its zone, and from a measured point that of a smooth contact, too, goes on as `d^2 ln d`. Farther away than the longest panels ask for none
         // is longer for its distance, and what is missed there is no measure.
         let rise = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };

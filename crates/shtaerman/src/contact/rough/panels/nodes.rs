@@ -103,8 +103,9 @@ pub(super) struct PanelNodes<'b> {
     nodes: Arc<Nodes>,
     parameter: f64,
     effort: Effort,
-    /// The length of all zones in local coordinates.
+    /// The length of all zones in local coordinates, and the integral of 1 over them.
     total: f64,
+    measure: f64,
 }
 
 /// The approximate inverse for these slopes of the law.
@@ -145,23 +146,25 @@ impl<'b> PanelNodes<'b> {
         let places: Vec<f64> = locals.iter().map(on_base).collect();
         let heights = base.heights(&places)?;
         let total = zones.iter().map(Zone::length).sum::<f64>() / half;
-        let parameter = base.strength() * base.ground.scale(&frame.hull);
+        let share = base.ground.panel_share();
+        let parameter = share * base.strength() * base.ground.scale(&frame.hull);
+        let measure = operator.panels().weights().iter().sum();
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        Ok(Self { base, operator, kernel, nodes, parameter, effort, total })
+        Ok(Self { base, operator, kernel, nodes, parameter, effort, total, measure })
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.
     fn conditions(&self, lack: [f64; 2]) -> Vec<PanelCondition> {
         let (frame, locals) = (&self.nodes.frame, &self.nodes.locals);
-        let half = frame.hull.half;
+        let (half, unit) = (frame.hull.half, self.unit());
         let mut conditions = Vec::new();
         if frame.is_by_force() {
-            conditions.push(PanelCondition::symmetric(vec![1.0; locals.len()], lack[0] / half));
+            conditions.push(PanelCondition::symmetric(vec![1.0; locals.len()], lack[0] / unit));
         }
         if frame.is_by_moment() {
             let row = locals.iter().map(|y| half * y + frame.lever()).collect();
-            let (column, value) = (self.nodes.lever(), lack[1] / half);
+            let (column, value) = (self.nodes.lever(), lack[1] / unit);
             conditions.push(PanelCondition { row, column, value });
         }
         conditions
@@ -179,6 +182,11 @@ impl<'b> PanelNodes<'b> {
     /// The number of nodes by what a product takes.
     fn size(&self) -> f64 {
         (self.nodes.places.len() as f64).max(self.operator.near_pairs() as f64 / work::PAIRS)
+    }
+
+    /// `dP0` over `p0 dm` in local coordinates.
+    fn unit(&self) -> f64 {
+        self.base.ground.area() * self.base.ground.measure(&self.nodes.frame.hull)
     }
 
     fn integral(&self, one: &[f64], other: &[f64]) -> f64 {
@@ -232,7 +240,7 @@ impl Discrete for PanelNodes<'_> {
         Task { right, lack, start, residual }: Task<'_>,
     ) -> Result<Step<Vec<f64>>, Error> {
         let nothing = vec![0.0; right.len()];
-        let residual = residual.max(OF_A_VALUE * self.norm(right)) * self.total.sqrt();
+        let residual = residual.max(OF_A_VALUE * self.norm(right)) * self.measure.sqrt();
         let conditions = self.conditions(lack);
         let start = start.unwrap_or(&nothing);
         let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
@@ -247,7 +255,7 @@ impl Discrete for PanelNodes<'_> {
 
     /// Root of the mean square.
     fn norm(&self, values: &[f64]) -> f64 {
-        (self.integral(values, values) / self.total).sqrt()
+        (self.integral(values, values) / self.measure).sqrt()
     }
 
     fn residual(&self) -> f64 {
@@ -280,7 +288,7 @@ impl Discrete for PanelNodes<'_> {
         let starts = starts.unwrap_or_else(|| [(); 3].map(|()| vec![0.0; body.len()]));
         let tasks: Vec<PanelTask<'_>> = (rights.iter().zip(&starts))
             .map(|(right, start)| {
-                let tolerance = share * self.norm(right) * self.total.sqrt();
+                let tolerance = share * self.norm(right) * self.measure.sqrt();
                 PanelTask { right, start, tolerance }
             })
             .collect();
@@ -295,10 +303,11 @@ impl Discrete for PanelNodes<'_> {
             return Err(unknown());
         };
         let turned = solved.next();
-        let half = self.nodes.frame.hull.half;
+        let (half, measure) = (self.nodes.frame.hull.half, self.unit());
         // The operator is symmetric: with what is left against the pressures of 1 and of `-y`, of a residual the square counts in force and moment.
         let carried = |solution: &Solution| {
-            let by = |unit: &Solution| half * self.integral(&unit.pressed.pressure, &solution.left);
+            let by =
+                |unit: &Solution| measure * self.integral(&unit.pressed.pressure, &solution.left);
             let [force, turn] = solution.pressed.carried;
             [force + by(&level), turn - turned.as_ref().map_or(0.0, |turned| half * by(turned))]
         };
@@ -344,7 +353,9 @@ pub(super) fn cut(
         if bounds.iter().any(|[left, right]| left >= right) {
             return Err(unknown());
         }
-        let panels = Panels::new(bounds, fineness.order)?;
+        let is_disk = base.ground.is_disk();
+        let panels = if is_disk { Panels::about_axis } else { Panels::new };
+        let panels = panels(bounds, fineness.order)?;
         match PanelOperator::check(kernel, &panels) {
             Err(fredholm::Error::TooLarge { .. }) => fineness.longest = 0.5 * longest,
             checked => return Ok(checked.map(|()| (kernel, frame, panels))?),
