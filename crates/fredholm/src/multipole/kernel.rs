@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::rings;
+use super::rings::Rings;
 use super::rule::logarithm_moments;
 use super::sums::SIDE_BY_SIDE;
 use crate::Error;
@@ -41,8 +41,12 @@ pub enum PanelKernel {
         /// `mu`, between 0 and 1.
         exponent: f64,
     },
-    /// `2 K(k)/(x + s)`, `k^2 = 4 x s/(x + s)^2`, for densities times `s ds`: rings of the radii `x` and `s` about an axis. Where they meet it is `ln(1/|x - s|)/s`.
-    Ring,
+    /// `pi int_0^inf J_m(x t) J_m(s t) dt` for densities times `s ds`: rings of the radii `x` and `s` about an axis, with `cos(m phi)`. Where they meet it is `ln(1/|x - s|)/s`; with the complete elliptic
+    /// integrals of `k^2 = 4 x s/(x + s)^2` it is `2 K/(x + s)` for `m = 0` and `2 ((2 - k^2) K - 2 E)/(k^2 (x + s))` for `m = 1`.
+    Ring {
+        /// `m`, 0 or 1.
+        harmonic: usize,
+    },
 }
 
 impl PanelKernel {
@@ -55,6 +59,11 @@ impl PanelKernel {
                     requirement: "between 0 and 1",
                 })
             }
+            Self::Ring { harmonic } if harmonic > 1 => Err(Error::InvalidParameter {
+                name: "harmonic of rings",
+                value: harmonic as f64,
+                requirement: "0 or 1",
+            }),
             _ => Ok(()),
         }
     }
@@ -63,7 +72,7 @@ impl PanelKernel {
     #[must_use]
     pub fn value(self, d: f64) -> f64 {
         match self {
-            Self::Logarithm | Self::Ring => -d.abs().ln(),
+            Self::Logarithm | Self::Ring { .. } => -d.abs().ln(),
             Self::Sine => -(2.0 * (FRAC_PI_2 * self.shortest(d)).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
         }
@@ -74,7 +83,7 @@ impl PanelKernel {
         let d = self.shortest(x - s);
         match self {
             _ if d == 0.0 => 0.0,
-            Self::Ring => rings::slope(x, s),
+            Self::Ring { harmonic } => Rings { harmonic }.slope(x, s),
             Self::Logarithm => -1.0 / d,
             Self::Sine => -FRAC_PI_2 / (FRAC_PI_2 * d).tan(),
             Self::Power { exponent } => -exponent * d.abs().powf(-exponent) / d,
@@ -84,7 +93,7 @@ impl PanelKernel {
     /// How far apart two places are, and by what a value for that is to be multiplied.
     pub(super) fn apart(self, x: f64, s: f64) -> [f64; 2] {
         match self {
-            Self::Ring => rings::apart(x, s, x - s),
+            Self::Ring { .. } => Rings::apart(x, s, x - s),
             _ => [x - s, 1.0],
         }
     }
@@ -92,7 +101,7 @@ impl PanelKernel {
     /// Replaces [distances](Self::apart), none of them zero, by the kernel.
     pub(super) fn values(self, distances: &mut [f64]) {
         match self {
-            Self::Ring => return rings::values(distances),
+            Self::Ring { harmonic } => return Rings { harmonic }.values(distances),
             Self::Logarithm => distances.iter_mut().for_each(|d| *d = d.abs()),
             Self::Sine => {
                 let mut remainders = [0.0; SIDE_BY_SIDE];
@@ -115,9 +124,13 @@ impl PanelKernel {
         distances.iter_mut().for_each(|value| *value = -*value);
     }
 
-    /// Whether places are distances from an axis.
-    pub(super) fn is_about_axis(self) -> bool {
-        self == Self::Ring
+    /// The kernel of rings, where places are distances from an axis.
+    #[inline(always)]
+    pub(super) fn rings(self) -> Option<Rings> {
+        match self {
+            Self::Ring { harmonic } => Some(Rings { harmonic }),
+            _ => None,
+        }
     }
 
     /// Whether the ends of `[-1, 1]` are one place.
@@ -150,8 +163,8 @@ impl PanelKernel {
     #[inline(always)]
     pub(super) fn entry(self, (x, node): (f64, f64), exact: f64, added: f64, weight: f64) -> f64 {
         match self {
-            Self::Ring => {
-                let [logarithm, rest] = rings::split(x, node);
+            Self::Ring { harmonic } => {
+                let [logarithm, rest] = Rings { harmonic }.parts(x, node);
                 logarithm * (exact * node + added * weight) + rest * weight
             }
             _ => exact + (added + self.remainder(x - node)) * weight,
@@ -161,7 +174,7 @@ impl PanelKernel {
     /// `int_{-1}^{1} K(z - y) P_k(y) dy` without the remainder.
     pub(super) fn moments(self, z: f64, moments: &mut [f64]) {
         match self {
-            Self::Logarithm | Self::Sine | Self::Ring => logarithm_moments(z, moments),
+            Self::Logarithm | Self::Sine | Self::Ring { .. } => logarithm_moments(z, moments),
             Self::Power { exponent } => power_moments(exponent, z, moments),
         }
     }
@@ -169,7 +182,7 @@ impl PanelKernel {
     /// Factor of the moments on a panel of this half-length, and what is added to the kernel there.
     pub(super) fn scale(self, half: f64) -> [f64; 2] {
         match self {
-            Self::Logarithm | Self::Sine | Self::Ring => [half, -half.ln()],
+            Self::Logarithm | Self::Sine | Self::Ring { .. } => [half, -half.ln()],
             Self::Power { exponent } => [half.powf(1.0 - exponent), 0.0],
         }
     }
@@ -184,7 +197,7 @@ impl PanelKernel {
                 mean_logarithm(left, right) + mean_logarithm(right, image) - mean_ratio(left, right)
             }
             Self::Power { exponent } => mean_power(left, right, exponent),
-            Self::Ring => rings::mean(left, right),
+            Self::Ring { harmonic } => Rings { harmonic }.mean(left, right),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::kernel::PanelKernel;
 use super::panels::Panels;
+use super::rings::Rings;
 
 /// Places lie in `[-1, 1]` and are rounded: a node lies where it would beside a panel of the same length, if it is off by no more than so many units of that, and of half a panel no more
 /// than what its polynomials lose anyway.
@@ -28,7 +29,7 @@ enum Near {
     /// At this place of the panel, from -1 to 1, or beside it.
     At(f64),
     /// At this multiple of the radius of a panel that begins at the axis.
-    FromAxis(f64),
+    FromAxis(Rings, f64),
 }
 
 impl<'p> NearEntries<'p> {
@@ -98,14 +99,14 @@ impl<'p> NearEntries<'p> {
         let exact = match near {
             Near::Plain => {
                 entries.iter_mut().zip(weights).for_each(|(entry, weight)| *entry *= weight);
-                if self.kernel.is_about_axis() {
+                if self.kernel.rings().is_some() {
                     let others = entries.iter_mut().zip(places);
                     others.for_each(|(entry, s)| *entry *= self.kernel.apart(x, *s)[1]);
                 }
                 return;
             }
-            Near::FromAxis(x) => {
-                self.panels.rule.weights_from_axis(x, &mut found[..order]);
+            Near::FromAxis(rings, x) => {
+                self.panels.rule.weights_from_axis(rings, x, &mut found[..order]);
                 let [_, radius] = self.panels.bounds()[panel];
                 let exact = &found[inside.start - panel * order..inside.end - panel * order];
                 entries.iter_mut().zip(exact).for_each(|(entry, exact)| *entry = radius * exact);
@@ -146,8 +147,8 @@ impl<'p> NearEntries<'p> {
         if z.abs() >= rule.far {
             return Near::Plain;
         }
-        if let Some(radius) = self.panels.from_axis(panel) {
-            return Near::FromAxis(self.panels.nodes()[node] / radius);
+        if let (Some(radius), Some(rings)) = (self.panels.from_axis(panel), self.kernel.rings()) {
+            return Near::FromAxis(rings, self.panels.nodes()[node] / radius);
         }
         if node / order == panel {
             return Near::Known { table: middle, row };

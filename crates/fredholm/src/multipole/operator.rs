@@ -7,6 +7,7 @@ use std::sync::{Arc, OnceLock};
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::panels::Panels;
+use super::rings::Rings;
 use super::sums::{Lanes, PlainSum};
 use super::threads::{each, parts_of};
 use super::tree::{AtPoints, Tree, interpolate};
@@ -95,7 +96,7 @@ impl PanelOperator {
     /// The boxes, and where the matrices of the leaves begin.
     fn boxes(kernel: PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
         kernel.check()?;
-        if kernel.is_about_axis() != panels.are_rings {
+        if kernel.rings().is_some() != panels.are_rings {
             return Err(Error::InvalidParameter {
                 name: "begin of the first panel",
                 value: panels.bounds[0][0],
@@ -385,8 +386,8 @@ impl PanelField {
                 }
                 continue;
             }
-            if self.kernel.is_about_axis() {
-                sum += self.of_ring(x, panel, z);
+            if let Some(rings) = self.kernel.rings() {
+                sum += self.of_rings(rings, (x, panel, z));
                 continue;
             }
             self.kernel.moments(z, moments);
@@ -403,13 +404,13 @@ impl PanelField {
     }
 
     /// The potential of a panel of rings near to a place.
-    fn of_ring(&self, x: f64, panel: usize, z: f64) -> f64 {
+    fn of_rings(&self, rings: Rings, (x, panel, z): (f64, usize, f64)) -> f64 {
         let (rule, order) = (&self.panels.rule, self.panels.order());
         let all = panel * order..(panel + 1) * order;
         let mut weights = [0.0; super::rule::MOST];
         let weights = &mut weights[..order];
         if let Some(radius) = self.panels.from_axis(panel) {
-            rule.weights_from_axis(x / radius, weights);
+            rule.weights_from_axis(rings, x / radius, weights);
             return radius * dot(weights, &self.values[all]);
         }
         rule.weights_at(self.kernel, z, weights);

@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::sync::LazyLock;
 
 use super::kernel::PanelKernel;
-use super::rings;
+use super::rings::Rings;
 use super::threads::{each, parts_of};
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
@@ -62,11 +62,11 @@ impl Tree {
         let fewest = 1usize << SHALLOWEST;
         let crowded = nodes.len().div_ceil(crowd).clamp(fewest, 1 << DEEPEST);
         let mut covering = crowded.min((2.0 / length) as usize).max(fewest);
-        if kernel.is_about_axis() {
+        if kernel.rings().is_some() {
             // Boxes before the axis are empty.
             covering = (2 * crowded).min(1 << DEEPEST).min((2.0 / length) as usize).max(fewest);
         }
-        if is_closed || kernel.is_about_axis() {
+        if is_closed || kernel.rings().is_some() {
             covering = 1 << covering.ilog2();
         }
         let depth = covering.next_power_of_two().ilog2();
@@ -87,7 +87,10 @@ impl Tree {
 
     /// With all that products take.
     pub(super) fn filled(mut self, kernel: PanelKernel, nodes: &[f64]) -> Self {
-        self.across = if kernel.is_about_axis() { self.rings() } else { self.shifted(kernel) };
+        self.across = match kernel.rings() {
+            Some(rings) => self.rings(rings),
+            None => self.shifted(kernel),
+        };
         let mut values = vec![[0.0; POINTS]; nodes.len()];
         let mut rest = &mut values[..];
         let leaves = (0..self.leaves()).map(|leaf| {
@@ -119,7 +122,7 @@ impl Tree {
         Across::Shifted(across.collect())
     }
 
-    fn rings(&self) -> Across {
+    fn rings(&self, rings: Rings) -> Across {
         let points = &CHEBYSHEV.points;
         let mut across = vec![[[[0.0; WIDE]; POINTS]; 4]; self.leaves() / 2];
         let share = across.len().div_ceil(parts_of(BETWEEN * POINTS * POINTS * across.len()));
@@ -137,7 +140,7 @@ impl Tree {
                     let radius = |of: isize, t: f64| (2 * of + 1) as f64 + t;
                     *matrix = square(|i, k| {
                         let (x, s) = (radius(target, points[i]), radius(source, points[k]));
-                        rings::value(x, s, x - s)
+                        rings.value(x, s, x - s)
                     });
                 }
             }

@@ -218,7 +218,7 @@ fn slopes_at_ends_where_a_function_vanishes_are_exact() {
                     let d = x - s;
                     w * v
                         * match kernel {
-                            PanelKernel::Logarithm | PanelKernel::Ring => -1.0 / d,
+                            PanelKernel::Logarithm | PanelKernel::Ring { .. } => -1.0 / d,
                             PanelKernel::Sine => -turn * (turn * d).cos() / (turn * d).sin(),
                             PanelKernel::Power { exponent } => {
                                 -exponent * d.signum() * d.abs().powf(-1.0 - exponent)
@@ -250,8 +250,8 @@ fn rings_have_the_potentials_in_closed_form() {
         let bounds = rings(0.4);
         let radius = bounds[bounds.len() - 1][1];
         let panels = Panels::about_axis(bounds, order).unwrap();
-        let operator = PanelOperator::new(PanelKernel::Ring, panels).unwrap();
-        let exact = |x: f64| radius * crate::multipole::rings::uniform(x / radius);
+        let operator = PanelOperator::new(PanelKernel::Ring { harmonic: 0 }, panels).unwrap();
+        let exact = |x: f64| radius * crate::multipole::rings::tests::uniform(x / radius);
         let ones = vec![1.0; operator.panels().count()];
         let potential = operator.potential(&ones);
         for (x, found) in operator.panels().nodes().iter().zip(potential) {
@@ -273,8 +273,14 @@ fn rings_of_an_uneven_pressure_have_the_potential_of_a_rule_of_their_own() {
     let bounds: Vec<[f64; 2]> = rings(0.3).into_iter().filter(|[left, _]| *left >= 0.2).collect();
     let bounds: Vec<[f64; 2]> =
         bounds.into_iter().filter(|[left, right]| *left > 0.55 || *right < 0.5).collect();
-    let panels = Panels::about_axis(bounds.clone(), 13).unwrap();
-    let operator = PanelOperator::new(PanelKernel::Ring, panels).unwrap();
+    for harmonic in [0, 1] {
+        uneven_rings(harmonic, &bounds);
+    }
+}
+
+fn uneven_rings(harmonic: usize, bounds: &[[f64; 2]]) {
+    let panels = Panels::about_axis(bounds.to_vec(), 13).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Ring { harmonic }, panels).unwrap();
     let values: Vec<f64> = operator.panels().nodes().iter().map(|s| (3.0 * s * s).cos()).collect();
     let field = operator.field(&values);
     let exact = |x: f64| -> f64 {
@@ -284,9 +290,8 @@ fn rings_of_an_uneven_pressure_have_the_potential_of_a_rule_of_their_own() {
             rule.map(|node| {
                 let s = from + half * node.from_left;
                 let difference = (x - from) - half * node.from_left;
-                let apart = difference.abs() / (x + s);
-                let first = crate::special::elliptic::complete_first_kind(apart);
-                half.abs() * node.weight * 2.0 * first / (x + s) * s * (3.0 * s * s).cos()
+                let kernel = crate::multipole::rings::tests::defined(harmonic, x, s, difference);
+                half.abs() * node.weight * kernel * s * (3.0 * s * s).cos()
             })
             .sum()
         };

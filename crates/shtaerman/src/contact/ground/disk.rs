@@ -86,7 +86,7 @@ impl Ground for Disk {
     }
 
     fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
-        (self.exponent() == 0.0).then_some((PanelKernel::Ring, 1.0))
+        (self.exponent() == 0.0).then_some((PanelKernel::Ring { harmonic: 0 }, 1.0))
     }
 
     fn panel_share(&self) -> f64 {

@@ -172,10 +172,9 @@ impl Base {
         self
     }
 
-    /// Whether panels serve: on any ground with fast products. The stiffness of a disk against tilt is found by collocation on its zones, which only a linear layer leaves smooth.
+    /// Whether panels serve: on any ground with fast products.
     pub(super) fn has_panels(&self) -> bool {
-        let is_smooth = self.layer.is_linear() || !self.ground.is_disk();
-        is_smooth && self.ground.panel_kernel().is_some()
+        self.ground.panel_kernel().is_some()
     }
 
     pub(super) fn is_measured(&self) -> bool {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::base::Base;
 use super::frame::{Direction, Frame};
+use super::solved::Solved;
 use crate::Error;
 use crate::contact::method::MethodName;
 use crate::contact::zones::Zone;
@@ -234,6 +235,9 @@ pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
 
     /// Places on each panel, from -1 to 1, at which resolutions are compared.
     fn between() -> Vec<f64>;
+
+    /// `dM0/d(-alpha0)` of a disk, by pressures that go with `cos(phi)` on the zones of a solution, and what is left of its error beside that of these.
+    fn turning(base: &Base, solved: &Solved<Self>) -> Result<[f64; 2], Error>;
 }
 
 /// Both ends, the middle, and a golden-ratio sequence of angles between, which no grid of a method shares.

@@ -11,6 +11,7 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
 use super::nodes::{FEWEST, Field, MOST_DENSE, PLACES, RATIO, between_nodes};
+use super::sinc::SincField;
 use super::solved::{Solved, largest};
 use crate::contact::accuracy::{Accuracy, SAFETY};
 use crate::contact::balance::State;
@@ -20,7 +21,6 @@ use crate::contact::rates::{Linearised, Rates};
 use crate::contact::resolutions::Trust;
 use crate::contact::search::{ALLOWED, unknown};
 use crate::contact::stiffness::Stiffness;
-use crate::contact::zones::Zone;
 use crate::error::require;
 use crate::solver::AIM;
 use crate::{Error, Rotational, Vertical};
@@ -47,6 +47,19 @@ pub(super) struct Unit {
     changed: SincSolution,
     /// `dM0/d(-alpha0)`.
     turning: f64,
+}
+
+/// `dM0/d(-alpha0)` on the zones and nodes of a collocated pressure; what is left of its error is that of these.
+pub(super) fn collocated_turning(
+    base: &Base,
+    solved: &Solved<SincField>,
+) -> Result<[f64; 2], Error> {
+    let Some(kernel) = base.ground.turned_kernel()? else { return Err(unknown()) };
+    let (nodes, half) = (&solved.nodes, solved.nodes.frame.hull.half);
+    let local = |[left, right]: &[f64; 2]| (left / half, (right / half).min(1.0));
+    let panels: Vec<(f64, f64)> = nodes.panels.iter().map(local).collect();
+    let on = (nodes.a_panel() / 2, &panels[..]);
+    Ok([Unit::new(base, &kernel, &nodes.frame.hull, on, &solved.given)?.turning, 0.0])
 }
 
 impl Unit {
@@ -145,7 +158,7 @@ pub(super) fn turned<F: Field>(
         if value != 0.0 {
             return Err(Error::LiftsOff { field, value, limit: 0.0 });
         }
-        let [turning, off] = turning(base, &kernel, solved)?;
+        let [turning, off] = F::turning(base, solved)?;
         stiffness.moment_tilt = turning;
         return Ok((None, off));
     }
@@ -165,32 +178,6 @@ pub(super) fn turned<F: Field>(
     }
     solved.stated.accuracy = tilted.accuracy(solved.stated.accuracy, &solved.state);
     Ok((Some(tilted), off[1]))
-}
-
-/// `dM0/d(-alpha0)` of a contact with free edges, and what is left of its error but for that of its zones: on the nodes of the pressure, or where those are of panels, which have no kernel for it, on
-/// the whole zones. Under a linear layer nothing of it bends.
-fn turning<F: Field>(
-    base: &Base,
-    kernel: &SharedKernel,
-    solved: &Solved<F>,
-) -> Result<[f64; 2], Error> {
-    let (nodes, hull) = (&solved.nodes, &solved.nodes.frame.hull);
-    let local = |[left, right]: &[f64; 2]| (left / hull.half, (right / hull.half).min(1.0));
-    if F::RATIO.is_some() {
-        let panels: Vec<(f64, f64)> = nodes.panels.iter().map(local).collect();
-        let on = (nodes.a_panel() / 2, &panels[..]);
-        return Ok([Unit::new(base, kernel, hull, on, &solved.given)?.turning, 0.0]);
-    }
-    let panels: Vec<(f64, f64)> = nodes.zones.iter().map(|zone| local(&zone.ends)).collect();
-    let longest = nodes.zones.iter().map(Zone::length).fold(0.0, f64::max);
-    let room = (MOST_DENSE / 2) as f64 / (2.0 * panels.len() as f64);
-    let count = first_half_count(0.5 * base.steepness() * longest).min(room);
-    let on = |count: f64| -> Result<f64, Error> {
-        let count = (count.round() as usize).max(FEWEST);
-        Ok(Unit::new(base, kernel, hull, (count, &panels), &[])?.turning)
-    };
-    let [coarse, fine] = [on(count / RATIO)?, on(count)?];
-    Ok([fine, SAFETY * (fine - coarse).abs()])
 }
 
 impl Tilted {

@@ -2,6 +2,7 @@
 //!
 //! One punch, a pair and graded ground are taken as they are; a row lies on a circle, `xi = centre + L/2 y`, on which the kernel is `ln 1/(2 sin(pi |y - t|/2))`.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use fredholm::multipole::{
@@ -11,12 +12,13 @@ use fredholm::multipole::{
 
 use super::mesh::{Fineness, LONGEST, panels};
 use crate::Error;
+use crate::contact::accuracy::SAFETY;
 use crate::contact::ground::Hull;
 use crate::contact::method::MethodName;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::frame::Frame;
 use crate::contact::rough::nodes::{Discrete, Field, Nodes, Pressed, Response, Step, Task};
-use crate::contact::rough::solved::largest;
+use crate::contact::rough::solved::{Solved, largest};
 use crate::contact::search::unknown;
 use crate::contact::zones::Zone;
 use crate::deadline::work;
@@ -93,6 +95,16 @@ impl Field for OnPanels {
     fn between() -> Vec<f64> {
         PLACES.to_vec()
     }
+
+    fn turning(base: &Base, solved: &Solved<Self>) -> Result<[f64; 2], Error> {
+        let turning = turning(base, solved)?;
+        let coarser = solved.coarser.last().map(|coarser| self::turning(base, coarser));
+        let off = match coarser {
+            Some(coarser) => SAFETY * (turning - coarser?).abs(),
+            None => turning.abs(),
+        };
+        Ok([turning, off])
+    }
 }
 
 /// The nodes of given zones with their operator.
@@ -103,8 +115,7 @@ pub(super) struct PanelNodes<'b> {
     nodes: Arc<Nodes>,
     parameter: f64,
     effort: Effort,
-    /// The length of all zones in local coordinates, and the integral of 1 over them.
-    total: f64,
+    /// The integral of 1 over all zones in local coordinates.
     measure: f64,
 }
 
@@ -115,6 +126,23 @@ pub(super) struct PanelInverse {
 }
 
 impl PanelInverse {
+    /// Groups of a quarter of the layer where the law is steepest.
+    fn new(
+        base: &Base,
+        kernel: PanelKernel,
+        panels: &Panels,
+        parameter: f64,
+        slopes: Option<Vec<f64>>,
+    ) -> Result<Self, Error> {
+        let firmest = slopes.as_ref().map_or(1.0, |slopes| largest(slopes));
+        let strength = (parameter * firmest).max(f64::MIN_POSITIVE);
+        let layer = (GROUP / strength).powf(1.0 / (1.0 - base.ground.exponent()));
+        let total: f64 = panels.bounds().iter().map(|[left, right]| right - left).sum();
+        let longest = layer.max(total / MOST_GROUPS);
+        let groups = Groups::new(kernel, panels, parameter, longest, slopes.as_deref())?;
+        Ok(Self { groups, slopes })
+    }
+
     /// The pressures of changes of the layer.
     fn pressures(&self, layer: &[f64]) -> Vec<f64> {
         match &self.slopes {
@@ -145,13 +173,12 @@ impl<'b> PanelNodes<'b> {
         let locals = operator.panels().nodes().to_vec();
         let places: Vec<f64> = locals.iter().map(on_base).collect();
         let heights = base.heights(&places)?;
-        let total = zones.iter().map(Zone::length).sum::<f64>() / half;
         let share = base.ground.panel_share();
         let parameter = share * base.strength() * base.ground.scale(&frame.hull);
         let measure = operator.panels().weights().iter().sum();
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        Ok(Self { base, operator, kernel, nodes, parameter, effort, total, measure })
+        Ok(Self { base, operator, kernel, nodes, parameter, effort, measure })
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.
@@ -223,15 +250,8 @@ impl Discrete for PanelNodes<'_> {
         Ok(self.with_potential(pressures, &potential))
     }
 
-    /// Groups of a quarter of the layer where the law is steepest.
     fn inverse(&self, slopes: Option<Vec<f64>>) -> Result<PanelInverse, Error> {
-        let firmest = slopes.as_ref().map_or(1.0, |slopes| largest(slopes));
-        let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
-        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.ground.exponent()));
-        let longest = layer.max(self.total / MOST_GROUPS);
-        let panels = self.operator.panels();
-        let groups = Groups::new(self.kernel, panels, self.parameter, longest, slopes.as_deref())?;
-        Ok(PanelInverse { groups, slopes })
+        PanelInverse::new(self.base, self.kernel, self.operator.panels(), self.parameter, slopes)
     }
 
     fn solve(
@@ -326,6 +346,27 @@ impl Discrete for PanelNodes<'_> {
         let turned = turned.zip(by_turned).map(|(turned, carried)| response(turned, carried));
         Ok([response(body, by_body), level.clone(), turned.unwrap_or(level)])
     }
+}
+
+/// `dM0/d(-alpha0)` on the panels of a solution: `q + theta W_1 (w q) = r`, `M0 = pi int w q r^2 dr`.
+fn turning(base: &Base, solved: &Solved<OnPanels>) -> Result<f64, Error> {
+    let kernel = PanelKernel::Ring { harmonic: 1 };
+    let (panels, layer) = (solved.field.field.panels(), solved.layer);
+    let operator = PanelOperator::new(kernel, panels.clone())?;
+    let slopes =
+        (!layer.is_linear()).then(|| solved.given.iter().map(|v| layer.slope(*v)).collect());
+    let parameter = solved.field.parameter;
+    let inverse = PanelInverse::new(base, kernel, panels, parameter, slopes)?;
+    let weight = inverse.slopes.as_deref();
+    let equation =
+        PanelEquation { operator: &operator, parameter, weight, groups: &inverse.groups };
+    let radii = panels.nodes();
+    let tolerance = solved.unsolved.max(OF_A_VALUE) * panels.integral(radii, |r| r).sqrt();
+    let found = equation.solve(radii, &[], &vec![0.0; radii.len()], tolerance)?;
+    let size = (radii.len() as f64).max(operator.near_pairs() as f64 / work::PAIRS);
+    base.problem().deadline().spend(work::PRODUCT * size * found.products as f64);
+    let half = solved.field.hull.half;
+    Ok(PI * half.powi(4) * panels.integral(&inverse.pressures(&found.values), |r| r))
 }
 
 /// A response with what is left of its equation.

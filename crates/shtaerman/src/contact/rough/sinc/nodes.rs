@@ -14,6 +14,8 @@ use crate::contact::rough::frame::{Direction, Frame};
 use crate::contact::rough::nodes::{
     Discrete, FEWEST, Field, Nodes, PLACES, Pressed, RATIO, Response, Step, Task, between_nodes,
 };
+use crate::contact::rough::solved::Solved;
+use crate::contact::rough::turned::collocated_turning;
 use crate::contact::zones::Zone;
 use crate::profile::beside::{Beside, corrected};
 
@@ -97,6 +99,10 @@ impl Field for SincField {
         let beside =
             BESIDE_ENDS.into_iter().flat_map(|share| [2.0 * share - 1.0, 1.0 - 2.0 * share]);
         between_nodes(PLACES).chain(beside).collect()
+    }
+
+    fn turning(base: &Base, solved: &Solved<Self>) -> Result<[f64; 2], Error> {
+        collocated_turning(base, solved)
     }
 }
 
