@@ -18,6 +18,8 @@ const BETWEEN: usize = 30;
 pub(super) const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
 /// Most halvings.
 const DEEPEST: u32 = 18;
+/// The same of rings, whose boxes have matrices of their own: these take 60 megabytes at most.
+const DEEPEST_OF_RINGS: u32 = 13;
 pub(super) const SHALLOWEST: u32 = 2;
 
 /// A matrix between points by its columns, each filled up with zeros to whole vectors.
@@ -64,7 +66,8 @@ impl Tree {
         let mut covering = crowded.min((2.0 / length) as usize).max(fewest);
         if kernel.rings().is_some() {
             // Boxes before the axis are empty.
-            covering = (2 * crowded).min(1 << DEEPEST).min((2.0 / length) as usize).max(fewest);
+            let most = (2 * crowded).min(1 << DEEPEST_OF_RINGS);
+            covering = most.min((2.0 / length) as usize).max(fewest);
         }
         if is_closed || kernel.rings().is_some() {
             covering = 1 << covering.ilog2();

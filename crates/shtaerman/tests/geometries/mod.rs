@@ -5,6 +5,7 @@
 mod bent;
 mod crests;
 mod disk;
+mod disk_panels;
 mod graded;
 mod influence;
 mod layered;
