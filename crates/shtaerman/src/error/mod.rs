@@ -204,7 +204,7 @@ pub enum Error {
 
     /// More zones of contact than are solved together.
     #[error(
-        "the contact has about {zones} zones, and at most {most} are solved together: a layer (roughness > 0, linear) under one plane punch on homogeneous ground allows thousands"
+        "the contact has about {zones} zones, and at most {most} are solved together: a layer (roughness > 0) on homogeneous ground, or on graded ground under a plane punch, allows thousands"
     )]
     TooManyZones {
         /// Zones that cells show.
