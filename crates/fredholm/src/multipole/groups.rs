@@ -82,7 +82,7 @@ impl Groups {
     /// # Errors
     /// [`Error::WrongLength`] for a weight that does not fit the nodes, [`Error::NotPositiveDefinite`] where rounding makes the matrix of the groups not positive.
     pub fn new(
-        kernel: PanelKernel,
+        kernel: &PanelKernel,
         panels: &Panels,
         theta: f64,
         longest: f64,

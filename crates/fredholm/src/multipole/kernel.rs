@@ -30,7 +30,7 @@ const LOGARITHM_OF_PI: f64 = 1.144_729_885_849_400_2;
 const MOST: usize = super::rule::MOST;
 
 /// A kernel `K(x - s)` on `[-1, 1]`, or that of rings on `[0, 1]`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum PanelKernel {
     /// `ln 1/|x - s|`.
     Logarithm,
@@ -41,17 +41,13 @@ pub enum PanelKernel {
         /// `mu`, between 0 and 1.
         exponent: f64,
     },
-    /// `pi int_0^inf J_m(x t) J_m(s t) dt` for densities times `s ds`: rings of the radii `x` and `s` about an axis, with `cos(m phi)`. Where they meet it is `ln(1/|x - s|)/s`; with the complete elliptic
-    /// integrals of `k^2 = 4 x s/(x + s)^2` it is `2 K/(x + s)` for `m = 0` and `2 ((2 - k^2) K - 2 E)/(k^2 (x + s))` for `m = 1`.
-    Ring {
-        /// `m`, 0 or 1.
-        harmonic: usize,
-    },
+    /// [Rings] about an axis.
+    Ring(Rings),
 }
 
 impl PanelKernel {
-    pub(super) fn check(self) -> Result<(), Error> {
-        match self {
+    pub(super) fn check(&self) -> Result<(), Error> {
+        match *self {
             Self::Power { exponent } if !(exponent > 0.0 && exponent < 1.0) => {
                 Err(Error::InvalidParameter {
                     name: "exponent of a kernel",
@@ -59,31 +55,27 @@ impl PanelKernel {
                     requirement: "between 0 and 1",
                 })
             }
-            Self::Ring { harmonic } if harmonic > 1 => Err(Error::InvalidParameter {
-                name: "harmonic of rings",
-                value: harmonic as f64,
-                requirement: "0 or 1",
-            }),
             _ => Ok(()),
         }
     }
 
     /// `K(d)` for a distance that is not zero; of rings about an axis what it begins with at their own places.
     #[must_use]
-    pub fn value(self, d: f64) -> f64 {
-        match self {
-            Self::Logarithm | Self::Ring { .. } => -d.abs().ln(),
+    pub fn value(&self, d: f64) -> f64 {
+        match *self {
+            Self::Ring(ref rings) if rings.exponent() > 0.0 => d.abs().powf(-rings.exponent()),
+            Self::Logarithm | Self::Ring(_) => -d.abs().ln(),
             Self::Sine => -(2.0 * (FRAC_PI_2 * self.shortest(d)).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
         }
     }
 
     /// `dK/dx`, and zero at the place itself.
-    pub(super) fn slope(self, x: f64, s: f64) -> f64 {
+    pub(super) fn slope(&self, x: f64, s: f64) -> f64 {
         let d = self.shortest(x - s);
-        match self {
+        match *self {
             _ if d == 0.0 => 0.0,
-            Self::Ring { harmonic } => Rings { harmonic }.slope(x, s),
+            Self::Ring(ref rings) => rings.slope(x, s),
             Self::Logarithm => -1.0 / d,
             Self::Sine => -FRAC_PI_2 / (FRAC_PI_2 * d).tan(),
             Self::Power { exponent } => -exponent * d.abs().powf(-exponent) / d,
@@ -91,17 +83,17 @@ impl PanelKernel {
     }
 
     /// How far apart two places are, and by what a value for that is to be multiplied.
-    pub(super) fn apart(self, x: f64, s: f64) -> [f64; 2] {
-        match self {
-            Self::Ring { .. } => Rings::apart(x, s, x - s),
+    pub(super) fn apart(&self, x: f64, s: f64) -> [f64; 2] {
+        match *self {
+            Self::Ring(ref rings) => rings.apart(x, s, x - s),
             _ => [x - s, 1.0],
         }
     }
 
     /// Replaces [distances](Self::apart), none of them zero, by the kernel.
-    pub(super) fn values(self, distances: &mut [f64]) {
-        match self {
-            Self::Ring { harmonic } => return Rings { harmonic }.values(distances),
+    pub(super) fn values(&self, distances: &mut [f64]) {
+        match *self {
+            Self::Ring(ref rings) => return rings.values(distances),
             Self::Logarithm => distances.iter_mut().for_each(|d| *d = d.abs()),
             Self::Sine => {
                 let mut remainders = [0.0; SIDE_BY_SIDE];
@@ -126,26 +118,35 @@ impl PanelKernel {
 
     /// The kernel of rings, where places are distances from an axis.
     #[inline(always)]
-    pub(super) fn rings(self) -> Option<Rings> {
+    pub(super) fn rings(&self) -> Option<&Rings> {
         match self {
-            Self::Ring { harmonic } => Some(Rings { harmonic }),
+            Self::Ring(rings) => Some(rings),
             _ => None,
         }
     }
 
+    /// `mu` of a power, 0 of logarithms.
+    pub(super) fn exponent(&self) -> f64 {
+        match *self {
+            Self::Logarithm | Self::Sine => 0.0,
+            Self::Power { exponent } => exponent,
+            Self::Ring(ref rings) => rings.exponent(),
+        }
+    }
+
     /// Whether the ends of `[-1, 1]` are one place.
-    pub(super) fn is_closed(self) -> bool {
-        self == Self::Sine
+    pub(super) fn is_closed(&self) -> bool {
+        *self == Self::Sine
     }
 
     /// A difference of two places by the shorter way.
-    pub(super) fn shortest(self, d: f64) -> f64 {
+    pub(super) fn shortest(&self, d: f64) -> f64 {
         if self.is_closed() { d - 2.0 * (0.5 * d).round() } else { d }
     }
 
     /// What is left of the kernel without the part that [`Self::moments`] has.
-    pub(super) fn remainder(self, d: f64) -> f64 {
-        match self {
+    pub(super) fn remainder(&self, d: f64) -> f64 {
+        match *self {
             Self::Sine => {
                 let angle = FRAC_PI_2 * self.shortest(d).abs();
                 if angle < SMALL_ANGLE {
@@ -161,35 +162,41 @@ impl PanelKernel {
 
     /// The entry of a node near to a place: with what the [moments](Self::moments) make of it, what is added to the kernel on its panel, and its weight.
     #[inline(always)]
-    pub(super) fn entry(self, (x, node): (f64, f64), exact: f64, added: f64, weight: f64) -> f64 {
-        match self {
-            Self::Ring { harmonic } => {
-                let [logarithm, rest] = Rings { harmonic }.parts(x, node);
-                logarithm * (exact * node + added * weight) + rest * weight
+    pub(super) fn entry(&self, (x, node): (f64, f64), exact: f64, added: f64, weight: f64) -> f64 {
+        match *self {
+            Self::Ring(ref rings) => {
+                let [singular, rest] = rings.parts(x, node);
+                singular * (exact * node + added * weight) + rest * weight
             }
             _ => exact + (added + self.remainder(x - node)) * weight,
         }
     }
 
     /// `int_{-1}^{1} K(z - y) P_k(y) dy` without the remainder.
-    pub(super) fn moments(self, z: f64, moments: &mut [f64]) {
-        match self {
-            Self::Logarithm | Self::Sine | Self::Ring { .. } => logarithm_moments(z, moments),
+    pub(super) fn moments(&self, z: f64, moments: &mut [f64]) {
+        match *self {
+            Self::Ring(ref rings) if rings.exponent() > 0.0 => {
+                power_moments(rings.exponent(), z, moments);
+            }
+            Self::Logarithm | Self::Sine | Self::Ring(_) => logarithm_moments(z, moments),
             Self::Power { exponent } => power_moments(exponent, z, moments),
         }
     }
 
     /// Factor of the moments on a panel of this half-length, and what is added to the kernel there.
-    pub(super) fn scale(self, half: f64) -> [f64; 2] {
-        match self {
-            Self::Logarithm | Self::Sine | Self::Ring { .. } => [half, -half.ln()],
+    pub(super) fn scale(&self, half: f64) -> [f64; 2] {
+        match *self {
+            Self::Ring(ref rings) if rings.exponent() > 0.0 => {
+                [half.powf(1.0 - rings.exponent()), 0.0]
+            }
+            Self::Logarithm | Self::Sine | Self::Ring(_) => [half, -half.ln()],
             Self::Power { exponent } => [half.powf(1.0 - exponent), 0.0],
         }
     }
 
     /// The mean over two intervals, the first the same or left of the second.
-    pub(super) fn mean(self, left: [f64; 2], right: [f64; 2]) -> f64 {
-        match self {
+    pub(super) fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
+        match *self {
             Self::Logarithm => mean_logarithm(left, right),
             Self::Sine => {
                 // Both logarithms taken out, the near one and the one through the seam; the rest by Gauss's rule, as a constant has to give nothing over the whole circle.
@@ -197,7 +204,7 @@ impl PanelKernel {
                 mean_logarithm(left, right) + mean_logarithm(right, image) - mean_ratio(left, right)
             }
             Self::Power { exponent } => mean_power(left, right, exponent),
-            Self::Ring { harmonic } => Rings { harmonic }.mean(left, right),
+            Self::Ring(ref rings) => rings.mean(left, right),
         }
     }
 }

@@ -22,3 +22,4 @@ pub use kernel::PanelKernel;
 pub use krylov::{PanelCondition, PanelEquation, PanelSolution, PanelTask};
 pub use operator::{PanelField, PanelOperator};
 pub use panels::Panels;
+pub use rings::Rings;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::kernel::PanelKernel;
 use super::panels::Panels;
-use super::rings::Rings;
 
 /// Places lie in `[-1, 1]` and are rounded: a node lies where it would beside a panel of the same length, if it is off by no more than so many units of that, and of half a panel no more
 /// than what its polynomials lose anyway.
@@ -13,7 +12,7 @@ const FAINT: f64 = 1e-9;
 
 /// The entries of nodes for nodes near to them. Panels of one length side by side have the same ones: those are known from the start.
 pub(super) struct NearEntries<'p> {
-    kernel: PanelKernel,
+    kernel: &'p PanelKernel,
     panels: &'p Panels,
     /// The weights of a panel for the nodes of those that are `-most` to `most` of its lengths away, its own ones in the middle.
     tables: Vec<Vec<f64>>,
@@ -29,11 +28,11 @@ enum Near {
     /// At this place of the panel, from -1 to 1, or beside it.
     At(f64),
     /// At this multiple of the radius of a panel that begins at the axis.
-    FromAxis(Rings, f64),
+    FromAxis(f64),
 }
 
 impl<'p> NearEntries<'p> {
-    pub(super) fn new(kernel: PanelKernel, panels: &'p Panels) -> Self {
+    pub(super) fn new(kernel: &'p PanelKernel, panels: &'p Panels) -> Self {
         let most = (0.5 * (panels.rule.far + 1.0)).ceil() as i32;
         let tables = (-most..=most).map(|m| panels.rule.beside(kernel, m)).collect();
         Self { kernel, panels, tables }
@@ -105,11 +104,14 @@ impl<'p> NearEntries<'p> {
                 }
                 return;
             }
-            Near::FromAxis(rings, x) => {
-                self.panels.rule.weights_from_axis(rings, x, &mut found[..order]);
+            Near::FromAxis(x) => {
+                if let Some(rings) = self.kernel.rings() {
+                    self.panels.rule.weights_from_axis(rings, x, &mut found[..order]);
+                }
                 let [_, radius] = self.panels.bounds()[panel];
                 let exact = &found[inside.start - panel * order..inside.end - panel * order];
-                entries.iter_mut().zip(exact).for_each(|(entry, exact)| *entry = radius * exact);
+                let scale = radius.powf(1.0 - self.kernel.exponent());
+                entries.iter_mut().zip(exact).for_each(|(entry, exact)| *entry = scale * exact);
                 return;
             }
             Near::Known { table, row } => &self.tables[table][row * order..(row + 1) * order],
@@ -147,8 +149,8 @@ impl<'p> NearEntries<'p> {
         if z.abs() >= rule.far {
             return Near::Plain;
         }
-        if let (Some(radius), Some(rings)) = (self.panels.from_axis(panel), self.kernel.rings()) {
-            return Near::FromAxis(rings, self.panels.nodes()[node] / radius);
+        if let Some(radius) = self.panels.from_axis(panel) {
+            return Near::FromAxis(self.panels.nodes()[node] / radius);
         }
         if node / order == panel {
             return Near::Known { table: middle, row };

@@ -57,9 +57,9 @@ impl PanelOperator {
         panels: Panels,
         other: Option<&Self>,
     ) -> Result<Self, Error> {
-        let (tree, near_starts) = Self::boxes(kernel, &panels)?;
-        let tree = tree.filled(kernel, panels.nodes());
-        let entries = NearEntries::new(kernel, &panels);
+        let (tree, near_starts) = Self::boxes(&kernel, &panels)?;
+        let tree = tree.filled(&kernel, panels.nodes());
+        let entries = NearEntries::new(&kernel, &panels);
         let other = other.filter(|other| {
             let is_same_tree = other.tree.leaves() == tree.leaves();
             other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
@@ -89,12 +89,12 @@ impl PanelOperator {
     ///
     /// # Errors
     /// Those of [`PanelOperator::new`].
-    pub fn check(kernel: PanelKernel, panels: &Panels) -> Result<(), Error> {
+    pub fn check(kernel: &PanelKernel, panels: &Panels) -> Result<(), Error> {
         Self::boxes(kernel, panels).map(drop)
     }
 
     /// The boxes, and where the matrices of the leaves begin.
-    fn boxes(kernel: PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
+    fn boxes(kernel: &PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
         kernel.check()?;
         if kernel.rings().is_some() != panels.are_rings {
             return Err(Error::InvalidParameter {
@@ -241,7 +241,7 @@ impl PanelOperator {
     pub fn field(&self, values: &[f64]) -> PanelField {
         let values = self.without_mean(values);
         let (panels, tree) = (Arc::clone(&self.panels), Arc::clone(&self.tree));
-        PanelField { kernel: self.kernel, panels, tree, values, sources: OnceLock::new() }
+        PanelField { kernel: self.kernel.clone(), panels, tree, values, sources: OnceLock::new() }
     }
 }
 
@@ -373,11 +373,11 @@ impl PanelField {
         let mut moments = [0.0; super::rule::MOST];
         let moments = &mut moments[..order];
         let mut sum = 0.0;
-        let mut plain = PlainSum::new(self.kernel);
+        let mut plain = PlainSum::new(&self.kernel);
         for panel in nodes.start / order..nodes.end.div_ceil(order) {
             let all = panel * order..(panel + 1) * order;
             let (_, half) = self.panels.middle(panel);
-            let z = self.panels.local(self.kernel, panel, x);
+            let z = self.panels.local(&self.kernel, panel, x);
             let places = self.panels.nodes();
             if z.abs() >= self.panels.rule.far {
                 let part = all.start.max(nodes.start)..all.end.min(nodes.end);
@@ -404,16 +404,17 @@ impl PanelField {
     }
 
     /// The potential of a panel of rings near to a place.
-    fn of_rings(&self, rings: Rings, (x, panel, z): (f64, usize, f64)) -> f64 {
+    fn of_rings(&self, rings: &Rings, (x, panel, z): (f64, usize, f64)) -> f64 {
         let (rule, order) = (&self.panels.rule, self.panels.order());
         let all = panel * order..(panel + 1) * order;
         let mut weights = [0.0; super::rule::MOST];
         let weights = &mut weights[..order];
         if let Some(radius) = self.panels.from_axis(panel) {
             rule.weights_from_axis(rings, x / radius, weights);
-            return radius * dot(weights, &self.values[all]);
+            let scale = radius.powf(1.0 - self.kernel.exponent());
+            return scale * dot(weights, &self.values[all]);
         }
-        rule.weights_at(self.kernel, z, weights);
+        rule.weights_at(&self.kernel, z, weights);
         let (_, half) = self.panels.middle(panel);
         let [factor, level] = self.kernel.scale(half);
         let places = self.panels.nodes()[all.clone()].iter();

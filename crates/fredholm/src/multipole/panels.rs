@@ -132,7 +132,7 @@ impl Panels {
 
     /// Where a place lies on a panel from `-1` to 1, or beside it, by the distance from the nearer end: on panels of some roundings of their places, that from the middle is none beside a
     /// corner.
-    pub(super) fn local(&self, kernel: PanelKernel, panel: usize, x: f64) -> f64 {
+    pub(super) fn local(&self, kernel: &PanelKernel, panel: usize, x: f64) -> f64 {
         let [left, right] = self.bounds[panel];
         let (middle, half) = self.middle(panel);
         if kernel.shortest(x - middle) < 0.0 {
@@ -190,7 +190,7 @@ impl Panels {
     #[inline(always)]
     fn interpolate_on(&self, panel: usize, values: &[f64], x: f64) -> Option<f64> {
         self.bounds.get(panel).filter(|[left, right]| *left <= x && x <= *right)?;
-        let y = self.local(PanelKernel::Logarithm, panel, x);
+        let y = self.local(&PanelKernel::Logarithm, panel, x);
         let values = values.get(panel * self.order()..(panel + 1) * self.order())?;
         Some(self.rule.interpolate(values, y))
     }

@@ -5,7 +5,9 @@
 
 use super::rule::{MOST, PanelRule};
 use super::sums::SIDE_BY_SIDE;
-use crate::complementarity::mean_logarithm;
+use crate::Error;
+use crate::complementarity::{mean_logarithm, mean_power};
+use crate::kernel::{Kernel, Split as Parts, WeberSonine};
 use crate::quadrature::double_exponential;
 use crate::special::logarithms;
 
@@ -89,6 +91,9 @@ const THREE: [[f64; 2]; 3] = [
 ];
 const TWO: [[f64; 2]; 2] = [[-0.577_350_269_189_625_8, 0.5], [0.577_350_269_189_625_8, 0.5]];
 
+/// Step of differences for slopes, as a share of the distance: the fourth power of it is left, and rounding over it (theory).
+const STEP: f64 = 1e-3;
+
 #[inline(always)]
 fn polynomial(coefficients: &[f64; COUNT], q: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| c + q * sum)
@@ -99,27 +104,81 @@ fn derivative(coefficients: &[f64; COUNT], q: f64) -> f64 {
     terms.fold(0.0, |sum, (k, c)| k as f64 * c + q * sum)
 }
 
-/// The kernel of a harmonic.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rings {
-    /// 0 or 1.
-    pub(super) harmonic: usize,
+/// Rings about an axis: `pi int_0^inf J_m(x t) J_m(s t) dt` for densities times `s ds`, those of the radius `s` with `cos(m phi)`. Where they meet it is `ln(1/|x - s|)/s`; with the complete
+/// elliptic integrals of `k^2 = 4 x s/(x + s)^2` it is `2 K/(x + s)` for `m = 0` and `2 ((2 - k^2) K - 2 E)/(k^2 (x + s))` for `m = 1`. On graded ground it is the kernel of [`WeberSonine`] times what makes it
+/// `|x - s|^-mu/s` where they meet.
+#[derive(Debug, Clone)]
+pub struct Rings {
+    /// `m`, 0 or 1.
+    harmonic: usize,
+    /// `mu`.
+    exponent: f64,
+    power: Option<Power>,
+}
+
+/// On graded ground.
+#[derive(Debug, Clone)]
+struct Power {
+    kernel: WeberSonine,
+    /// `mu` over what the kernel begins with where rings of the radius 1 meet.
+    factor: f64,
+}
+
+impl PartialEq for Rings {
+    fn eq(&self, other: &Self) -> bool {
+        self.harmonic == other.harmonic && self.exponent == other.exponent
+    }
 }
 
 impl Rings {
+    /// Those of a kernel on a disk, of the order 0 or 1.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for other orders, and for an exponent below 0.
+    pub fn of(kernel: &WeberSonine) -> Result<Self, Error> {
+        let (order, exponent) = (kernel.order(), 2.0 * kernel.exponent());
+        let refuse =
+            |name, value, requirement| Err(Error::InvalidParameter { name, value, requirement });
+        if order != 0.0 && order != 1.0 {
+            return refuse("order of rings", order, "0 or 1");
+        }
+        if exponent < 0.0 {
+            return refuse("exponent of rings", kernel.exponent(), "at least 0");
+        }
+        let power = (exponent > 0.0).then(|| {
+            let factor = exponent / kernel.split(1.0, 1.0, 0.0).factor;
+            Power { kernel: kernel.clone(), factor }
+        });
+        Ok(Self { harmonic: usize::from(order == 1.0), exponent, power })
+    }
+
+    /// `mu`.
+    pub(super) fn exponent(&self) -> f64 {
+        self.exponent
+    }
+
     #[inline(always)]
-    fn split(self) -> &'static Split {
+    fn split(&self) -> &'static Split {
         &SPLITS[self.harmonic.min(1)]
     }
 
     /// `k'` for a difference of the radii, and the factor of what it is the argument of.
     #[inline(always)]
-    pub(super) fn apart(x: f64, s: f64, difference: f64) -> [f64; 2] {
-        [difference.abs() / (x + s), 2.0 / (x + s)]
+    pub(super) fn apart(&self, x: f64, s: f64, difference: f64) -> [f64; 2] {
+        let factor = match self.power {
+            None => 2.0 / (x + s),
+            Some(_) => (x + s).powf(-1.0 - self.exponent),
+        };
+        [difference.abs() / (x + s), factor]
     }
 
     /// Replaces values of `k'` by those of the function.
-    pub(super) fn values(self, distances: &mut [f64]) {
+    pub(super) fn values(&self, distances: &mut [f64]) {
+        if self.power.is_some() {
+            // Of rings whose radii add up to 1.
+            let value = |d: f64| self.value(0.5 * (1.0 + d), 0.5 * (1.0 - d), d);
+            return distances.iter_mut().for_each(|d| *d = value(*d));
+        }
         let Split { logarithm, plain } = self.split();
         let mut squares = [0.0; SIDE_BY_SIDE];
         for part in distances.chunks_mut(squares.len()) {
@@ -132,25 +191,49 @@ impl Rings {
     }
 
     /// The kernel for radii with this difference.
-    pub(super) fn value(self, x: f64, s: f64, difference: f64) -> f64 {
+    pub(super) fn value(&self, x: f64, s: f64, difference: f64) -> f64 {
+        if let Some(Power { kernel, factor }) = &self.power {
+            return (factor * kernel.uncut(x, s, difference.abs()).value).min(f64::MAX);
+        }
         let Split { logarithm, plain } = self.split();
-        let [d, factor] = Self::apart(x, s, difference);
+        let [d, factor] = self.apart(x, s, difference);
         factor * (polynomial(plain, d * d) - polynomial(logarithm, d * d) * d.ln())
     }
 
-    /// What goes with `ln(1/|x - s|)` in the kernel, and what is left.
+    /// What goes with `ln(1/|x - s|)` or `|x - s|^-mu` in the kernel, and what is left.
     #[inline(always)]
-    pub(super) fn parts(self, x: f64, s: f64) -> [f64; 2] {
+    pub(super) fn parts(&self, x: f64, s: f64) -> [f64; 2] {
+        if let Some(Power { kernel, factor }) = &self.power {
+            return self.parts_of_power((kernel, *factor), x, s);
+        }
         let Split { logarithm, plain } = self.split();
-        let [d, factor] = Self::apart(x, s, x - s);
+        let [d, factor] = self.apart(x, s, x - s);
         let logarithm = factor * polynomial(logarithm, d * d);
         [logarithm, factor * polynomial(plain, d * d) + logarithm * (x + s).ln()]
     }
 
+    /// From `W = A (d^-mu - 1)/mu + B`.
+    fn parts_of_power(&self, (kernel, factor): (&WeberSonine, f64), x: f64, s: f64) -> [f64; 2] {
+        if x == s {
+            let Parts { factor: singular, rest } = kernel.split(x, s, 0.0);
+            return [factor / self.exponent * singular, factor * (rest - singular / self.exponent)];
+        }
+        let distance = (x - s).abs();
+        let found = kernel.uncut(x, s, distance);
+        let singular = factor / self.exponent * found.factor;
+        [singular, factor * found.value - singular * distance.powf(-self.exponent)]
+    }
+
     /// The slope in `x` for different radii.
-    pub(super) fn slope(self, x: f64, s: f64) -> f64 {
+    pub(super) fn slope(&self, x: f64, s: f64) -> f64 {
+        if self.power.is_some() {
+            let step = STEP * (x - s).abs().min(x);
+            let at = |k: f64| self.value(x + k * step, s, x - s + k * step);
+            let differences = 8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0));
+            return if step == 0.0 { 0.0 } else { differences / (12.0 * step) };
+        }
         let Split { logarithm, plain } = self.split();
-        let [d, factor] = Self::apart(x, s, x - s);
+        let [d, factor] = self.apart(x, s, x - s);
         let (q, sum) = (d * d, x + s);
         // dq/dx = 4 s (x - s)/(x + s)^3, of which the pole of the logarithm leaves a part.
         let smooth = derivative(plain, q) - derivative(logarithm, q) * d.ln();
@@ -160,29 +243,35 @@ impl Rings {
     }
 
     /// The mean over two intervals, the first the same or left of the second, about: the logarithm by its exact mean, and the rest by rules of three and of two nodes.
-    pub(super) fn mean(self, left: [f64; 2], right: [f64; 2]) -> f64 {
+    pub(super) fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
         let middle = |[from, to]: [f64; 2]| 0.5 * (from + to);
         let at = |[from, to]: [f64; 2], y: f64| middle([from, to]) + 0.5 * (to - from) * y;
         let (mut mass, mut sum, mut singular) = (0.0, 0.0, 0.0);
+        let beside = |d: f64| if self.exponent > 0.0 { d.powf(-self.exponent) } else { -d.ln() };
         for [one, weight] in THREE {
             for [other, own] in TWO {
                 let (x, s) = (at(left, one), at(right, other));
                 mass += weight * own * x * s;
                 sum += weight * own * x * s * self.value(x, s, x - s);
-                singular -= weight * own * (x - s).abs().ln();
+                singular += weight * own * beside((x - s).abs());
             }
         }
         let [logarithm, _] = self.parts(middle(left), middle(right));
-        sum / mass + logarithm * (mean_logarithm(left, right) - singular)
+        let exact = match self.exponent {
+            0.0 => mean_logarithm(left, right),
+            exponent => mean_power(left, right, exponent),
+        };
+        sum / mass + logarithm * (exact - singular)
     }
 }
 
 impl PanelRule {
     /// The weights of `int_0^1 G(x, s) phi(s) s ds` for values of a polynomial at the nodes, from the place in `[0, 1]` or beside it.
-    pub(super) fn weights_from_axis(&self, rings: Rings, x: f64, weights: &mut [f64]) {
+    pub(super) fn weights_from_axis(&self, rings: &Rings, x: f64, weights: &mut [f64]) {
         let order = self.order();
         let mut moments = [0.0; MOST];
         let cut = x.min(1.0);
+        let power = 1.0 / (1.0 - rings.exponent());
         // From the place, or from the end before it, to both ends.
         for to in [0.0, 1.0] {
             let length = to - cut;
@@ -190,12 +279,21 @@ impl PanelRule {
                 continue;
             }
             for node in double_exponential(NODES) {
-                let s = cut + 0.5 * length * node.from_left;
-                let difference = (x - cut) - 0.5 * length * node.from_left;
+                // u = d^(1 - mu) of the distance d takes the singularity of a power away.
+                let u = 0.5 * node.from_left;
+                let share = u.powf(power);
+                let s = cut + length * share;
+                let difference = (x - cut) - length * share;
                 if difference == 0.0 || s <= 0.0 {
                     continue;
                 }
-                let mass = 0.5 * length.abs() * node.weight * s * rings.value(x, s, difference);
+                let value = rings.value(x, s, difference);
+                // From the axis to where that overflows there is less than rounding.
+                if value >= f64::MAX {
+                    continue;
+                }
+                let weight = 0.5 * node.weight * power * share / u;
+                let mass = length.abs() * weight * s * value;
                 let y = 2.0 * s - 1.0;
                 let (mut before, mut here) = (0.0, 1.0);
                 for (k, moment) in moments[..order].iter_mut().enumerate() {
@@ -214,7 +312,13 @@ pub(super) mod tests {
     use super::*;
     use crate::special::elliptic::{carlson_second_kind, complete_first_kind};
 
-    const BOTH: [Rings; 2] = [Rings { harmonic: 0 }, Rings { harmonic: 1 }];
+    pub(in crate::multipole) fn rings(harmonic: usize, exponent: f64) -> Rings {
+        Rings::of(&WeberSonine::new(1.0, harmonic as f64, 0.5 * exponent).unwrap()).unwrap()
+    }
+
+    fn both() -> [Rings; 2] {
+        [rings(0, 0.0), rings(1, 0.0)]
+    }
 
     /// `K` and `E` by `k'`.
     fn integrals(complementary: f64) -> [f64; 2] {
@@ -225,7 +329,7 @@ pub(super) mod tests {
 
     /// The kernel by its definition.
     pub(in crate::multipole) fn defined(harmonic: usize, x: f64, s: f64, difference: f64) -> f64 {
-        let [d, factor] = Rings::apart(x, s, difference);
+        let (d, factor) = (difference.abs() / (x + s), 2.0 / (x + s));
         let [first, second] = integrals(d);
         let square = 1.0 - d * d;
         if harmonic == 1 && square == 0.0 {
@@ -253,7 +357,7 @@ pub(super) mod tests {
         for k in 1..=400 {
             let d = 10f64.powf(-f64::from(k) / 25.0);
             let (x, s) = (0.3 * (1.0 + d), 0.3 * (1.0 - d));
-            for rings in BOTH {
+            for rings in both() {
                 let exact = defined(rings.harmonic, x, s, 0.6 * d);
                 // The definition of the second cancels where rings are far apart.
                 let allowed = if rings.harmonic == 0 { 1e-15 } else { 4e-15 } * exact.max(1.0);
@@ -272,7 +376,7 @@ pub(super) mod tests {
     #[test]
     fn slopes_are_limits_of_differences() {
         for (x, s) in [(0.5, 0.3), (0.3, 0.5), (0.01, 0.9), (0.7, 0.001), (0.5, 0.5001)] {
-            for rings in BOTH {
+            for rings in both() {
                 let step = 1e-3 * f64::abs(x - s);
                 let at = |k: f64| defined(rings.harmonic, x + k * step, s, x + k * step - s);
                 let difference =
@@ -282,7 +386,7 @@ pub(super) mod tests {
                 assert!((found - difference).abs() < 1e-8 * size, "{x} {s}: {found} {difference}");
             }
         }
-        assert!(BOTH[0].slope(0.0, 0.4).abs() < 1e-13);
+        assert!(both()[0].slope(0.0, 0.4).abs() < 1e-13);
     }
 
     #[test]
@@ -291,7 +395,7 @@ pub(super) mod tests {
             let rule = PanelRule::new(order).unwrap();
             let mut weights = vec![0.0; order];
             for x in [0.0, 1e-9, 0.02, 0.3, 0.77, 0.999, 1.0, 1.001, 1.3, 1.7] {
-                rule.weights_from_axis(BOTH[0], x, &mut weights);
+                rule.weights_from_axis(&both()[0], x, &mut weights);
                 let found: f64 = weights.iter().sum();
                 let exact = uniform(x);
                 assert!((found - exact).abs() < 4e-15, "{order} {x}: {found} {exact}");

@@ -64,7 +64,7 @@ impl PanelRule {
     }
 
     /// `int K(y_i + 2 m - y) phi(y) dy` from values, row by row: for the nodes of a panel of the same length, `m` of them away.
-    pub(super) fn beside(&self, kernel: PanelKernel, m: i32) -> Vec<f64> {
+    pub(super) fn beside(&self, kernel: &PanelKernel, m: i32) -> Vec<f64> {
         let mut rows = vec![0.0; self.order() * self.order()];
         for (row, y) in rows.chunks_exact_mut(self.order()).zip(&self.nodes) {
             self.weights_at(kernel, y + 2.0 * f64::from(m), row);
@@ -73,7 +73,7 @@ impl PanelRule {
     }
 
     /// The weights of `int_{-1}^{1} K(z - y) phi(y) dy`, but for the remainder of the kernel, for values of a polynomial at the nodes.
-    pub(super) fn weights_at(&self, kernel: PanelKernel, z: f64, weights: &mut [f64]) {
+    pub(super) fn weights_at(&self, kernel: &PanelKernel, z: f64, weights: &mut [f64]) {
         let order = self.order();
         let mut moments = [0.0; MOST + 1];
         let moments = &mut moments[..order];

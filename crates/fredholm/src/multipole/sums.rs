@@ -33,8 +33,8 @@ impl Lanes {
 }
 
 /// Charges at distances that are added up, so many side by side.
-pub(super) struct PlainSum {
-    kernel: PanelKernel,
+pub(super) struct PlainSum<'k> {
+    kernel: &'k PanelKernel,
     distances: [f64; SIDE_BY_SIDE],
     charges: [f64; SIDE_BY_SIDE],
     count: usize,
@@ -44,8 +44,8 @@ pub(super) struct PlainSum {
 /// As many as near leaves have, about.
 pub(super) const SIDE_BY_SIDE: usize = 64;
 
-impl PlainSum {
-    pub(super) fn new(kernel: PanelKernel) -> Self {
+impl<'k> PlainSum<'k> {
+    pub(super) fn new(kernel: &'k PanelKernel) -> Self {
         let none = [0.0; SIDE_BY_SIDE];
         Self { kernel, distances: none, charges: none, count: 0, sum: 0.0 }
     }

@@ -50,8 +50,8 @@ pub(super) struct Tree {
 pub(super) enum Across {
     /// `K(h (t_i - (2 offset + t_k)))`, level by level, `h` half of a box.
     Shifted(Vec<[Square; 4]>),
-    /// Of rings `h K`, box by box from the axis on: for boxes of any size the same.
-    Rings(Vec<[Square; 4]>),
+    /// Of rings `h^(1 + mu) K`, box by box from the axis on: for boxes of any size the same; with `1 + mu`.
+    Rings(Vec<[Square; 4]>, f64),
 }
 
 /// A value of each of some functions at each point of a box.
@@ -59,7 +59,7 @@ pub(super) type AtPoints<const N: usize> = [[f64; POINTS]; N];
 
 impl Tree {
     /// The boxes for nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
-    pub(super) fn new(kernel: PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
+    pub(super) fn new(kernel: &PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
         let is_closed = kernel.is_closed();
         let fewest = 1usize << SHALLOWEST;
         let crowded = nodes.len().div_ceil(crowd).clamp(fewest, 1 << DEEPEST);
@@ -89,7 +89,7 @@ impl Tree {
     }
 
     /// With all that products take.
-    pub(super) fn filled(mut self, kernel: PanelKernel, nodes: &[f64]) -> Self {
+    pub(super) fn filled(mut self, kernel: &PanelKernel, nodes: &[f64]) -> Self {
         self.across = match kernel.rings() {
             Some(rings) => self.rings(rings),
             None => self.shifted(kernel),
@@ -114,7 +114,7 @@ impl Tree {
         self
     }
 
-    fn shifted(&self, kernel: PanelKernel) -> Across {
+    fn shifted(&self, kernel: &PanelKernel) -> Across {
         let points = &CHEBYSHEV.points;
         let across = (SHALLOWEST..=self.depth).map(|level| {
             let half = (self.leaves() >> level) as f64 / self.covering as f64;
@@ -125,7 +125,7 @@ impl Tree {
         Across::Shifted(across.collect())
     }
 
-    fn rings(&self, rings: Rings) -> Across {
+    fn rings(&self, rings: &Rings) -> Across {
         let points = &CHEBYSHEV.points;
         let mut across = vec![[[[0.0; WIDE]; POINTS]; 4]; self.leaves() / 2];
         let share = across.len().div_ceil(parts_of(BETWEEN * POINTS * POINTS * across.len()));
@@ -148,7 +148,7 @@ impl Tree {
                 }
             }
         });
-        Across::Rings(across)
+        Across::Rings(across, 1.0 + rings.exponent())
     }
 
     /// The matrices of a box of a level with those in reach, and the factor that they lack.
@@ -156,10 +156,10 @@ impl Tree {
     pub(super) fn across(&self, b: usize, level: u32) -> (&[Square; 4], f64) {
         match &self.across {
             Across::Shifted(across) => (&across[(level - SHALLOWEST) as usize], 1.0),
-            Across::Rings(across) => {
+            Across::Rings(across, power) => {
                 let axis = 1usize << (level - 1);
                 // Half a box has the length 1/2^level.
-                (&across[b.saturating_sub(axis)], (2 * axis) as f64)
+                (&across[b.saturating_sub(axis)], ((2 * axis) as f64).powf(*power))
             }
         }
     }

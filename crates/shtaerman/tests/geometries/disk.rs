@@ -263,19 +263,28 @@ fn many_rings_carry_what_they_displace() {
 }
 
 #[test]
-fn hundreds_of_rings_are_too_many() {
-    for crests in [120, 240, 1024, 3000] {
-        let refused = attempt(
-            (DISK, 5.0, 1.0),
-            &format!("cos(2*pi*{crests}*xi)"),
-            pressed(0.1),
-            Solver::default(),
-        );
-        match refused {
-            Err(Error::TooManyZones { zones, most }) => assert!(zones > most, "{zones}"),
-            other => panic!("{crests}: {other:?}"),
-        }
+fn hundreds_of_rings() {
+    for crests in [120, 240] {
+        let profile = format!("cos(2*pi*{crests}*xi)");
+        let contact = solve((DISK, 5.0, 1.0), &profile, pressed(0.1));
+        let bare = contact.dimensionless();
+        // Of each crest a ring, on both sides of the axis.
+        assert_eq!(bare.zones().len(), 2 * crests);
+        assert!(contact.relative_error() < 1e-10, "{crests}: {:e}", contact.relative_error());
+        let force: f64 = bare.zones()[crests..].iter().map(|ends| ring_force(&bare, *ends)).sum();
+        assert!((force - 0.1).abs() < 1e-9, "{crests}: {force}");
     }
+}
+
+/// `2 pi int p r dr` over a ring, by the double exponential rule.
+fn ring_force(contact: &shtaerman::Contact, [left, right]: [f64; 2]) -> f64 {
+    let half = 0.5 * (right - left);
+    let rule = fredholm::quadrature::double_exponential(20);
+    rule.map(|node| {
+        let r = left + half * node.from_left;
+        2.0 * PI * half * node.weight * r * contact.pressure(r).unwrap()
+    })
+    .sum()
 }
 
 /// Under the axis a root of the distance is steeper than any number beside it shows: the pressure there is the limit, and the largest.

@@ -126,6 +126,11 @@ impl WeberSonine {
         self.exponent
     }
 
+    /// Value and factor at two different points, the factor as far from the diagonal as it is known: without the cutoff.
+    pub(crate) fn uncut(&self, x: f64, s: f64, distance: f64) -> Pair {
+        self.tables.uncut(x, s, distance)
+    }
+
     fn polynomials(&self) -> Jacobi {
         Jacobi::new(self.order, self.exponent - 0.5)
     }

@@ -97,6 +97,18 @@ impl Tables {
         Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &points) }
     }
 
+    /// The same with the factor at all points that are not too far apart for its table.
+    pub(super) fn uncut(&self, x: f64, s: f64, distance: f64) -> Pair {
+        let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
+        let value = self.value(x, s, distance);
+        if smaller == 0.0 {
+            return Pair { value, factor: 0.0 };
+        }
+        let quarter = 0.25 * (distance / larger) * (distance / smaller);
+        let factor = self.whole_factor(quarter, &Points::new(larger, smaller), 1.0);
+        Pair { value, factor }
+    }
+
     /// `W` alone, the same to the last bit for less.
     pub(super) fn value(&self, x: f64, s: f64, distance: f64) -> f64 {
         let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
@@ -155,9 +167,11 @@ impl Tables {
     fn factor(&self, quarter: f64, points: &Points) -> f64 {
         let depth = self.radius - points.logarithm + 0.5 * points.ratio;
         let cutoff = self.cutoff.value(points.ratio, depth);
-        if cutoff == 0.0 {
-            return 0.0;
-        }
+        if cutoff == 0.0 { 0.0 } else { self.whole_factor(quarter, points, cutoff) }
+    }
+
+    /// Times a share of it.
+    fn whole_factor(&self, quarter: f64, points: &Points, share: f64) -> f64 {
         let order = self.coefficients.order;
         let function = if quarter <= self.near_limit {
             polynomial(&self.near, quarter) / points.share.sqrt()
@@ -165,7 +179,7 @@ impl Tables {
             let growth = if order == 0.0 { 1.0 } else { (order * points.ratio).exp() };
             self.factor.evaluate(points.ratio / self.cutoff.reach()) * growth
         };
-        let factor = self.coefficients.strength * cutoff * function / points.larger;
+        let factor = self.coefficients.strength * share * function / points.larger;
         factor.clamp(-f64::MAX, f64::MAX)
     }
 

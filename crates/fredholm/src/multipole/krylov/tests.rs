@@ -12,7 +12,7 @@ fn on_a_circle_the_inverse_of_groups_is_positive() {
     let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
     let panels = Panels::new(bounds, 8).unwrap();
     for (theta, longest) in [(1.0, 0.5), (1e3, 0.1), (1e5, 0.02)] {
-        let groups = Groups::new(PanelKernel::Sine, &panels, theta, longest, None).unwrap();
+        let groups = Groups::new(&PanelKernel::Sine, &panels, theta, longest, None).unwrap();
         let ones = vec![1.0; panels.count()];
         for value in groups.roughly_inverted(&ones) {
             assert!((value - 1.0).abs() < 0.05, "{theta}: {value}");
@@ -34,7 +34,7 @@ fn a_thin_layer_takes_no_more_products() {
     let wave = |m: f64, x: f64| (m * pi * x + 0.3).cos();
     let nodes = operator.panels().nodes();
     for theta in [1e3, 1e5] {
-        let groups = Groups::new(PanelKernel::Sine, operator.panels(), theta, 0.1, None).unwrap();
+        let groups = Groups::new(&PanelKernel::Sine, operator.panels(), theta, 0.1, None).unwrap();
         let equation =
             PanelEquation { operator: &operator, parameter: theta, groups: &groups, weight: None };
         let right: Vec<f64> = nodes.iter().map(|x| wave(3.0, *x) + wave(40.0, *x)).collect();
@@ -55,7 +55,7 @@ fn what_does_not_converge_is_an_error() {
     let bounds = (0..200).map(|i| [left(i), left(i) + 0.0099]).collect();
     let panels = Panels::new(bounds, 6).unwrap();
     let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
-    let groups = Groups::new(PanelKernel::Logarithm, operator.panels(), 1.0, 0.1, None).unwrap();
+    let groups = Groups::new(&PanelKernel::Logarithm, operator.panels(), 1.0, 0.1, None).unwrap();
     let equation =
         PanelEquation { operator: &operator, parameter: 1.0, weight: None, groups: &groups };
     let nodes = operator.panels().nodes();
@@ -86,7 +86,7 @@ fn the_flat_punch_agrees_with_sinc_collocation() {
     let operator = graded();
     for theta in [0.5, 30.0] {
         let groups =
-            Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, None).unwrap();
+            Groups::new(&PanelKernel::Logarithm, operator.panels(), theta, 0.05, None).unwrap();
         let equation =
             PanelEquation { operator: &operator, parameter: theta, weight: None, groups: &groups };
         let nodes = operator.panels().nodes();
@@ -130,7 +130,7 @@ fn a_weight_agrees_with_weighted_sinc_collocation() {
     let weight: Vec<f64> = nodes.iter().map(|x| weight_at(*x)).collect();
     for theta in [0.5, 30.0] {
         let groups =
-            Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, Some(&weight))
+            Groups::new(&PanelKernel::Logarithm, operator.panels(), theta, 0.05, Some(&weight))
                 .unwrap();
         let equation = PanelEquation {
             operator: &operator,
@@ -157,7 +157,7 @@ fn a_weight_agrees_with_weighted_sinc_collocation() {
     }
     let short = [1.0; 3];
     let panels = operator.panels();
-    let groups = Groups::new(PanelKernel::Logarithm, panels, 1.0, 0.05, Some(&short));
+    let groups = Groups::new(&PanelKernel::Logarithm, panels, 1.0, 0.05, Some(&short));
     assert!(matches!(groups, Err(Error::WrongLength { found: 3, .. })));
 }
 
@@ -170,7 +170,7 @@ fn right_hand_sides_together_have_the_answers_that_each_has_by_itself() {
     let weights: Vec<f64> = places.iter().map(|x| 1.5 + x).collect();
     for weight in [None, Some(&weights[..])] {
         let (parameter, panels) = (20.0, operator.panels());
-        let groups = Groups::new(PanelKernel::Logarithm, panels, parameter, 0.1, weight).unwrap();
+        let groups = Groups::new(&PanelKernel::Logarithm, panels, parameter, 0.1, weight).unwrap();
         let equation = PanelEquation { operator: &operator, parameter, weight, groups: &groups };
         let waves = [0.0, 1.0, 7.0, 40.0];
         let rights = waves.map(|k| places.iter().map(|x| (k * x).cos()).collect::<Vec<f64>>());

@@ -1,12 +1,12 @@
 //! A half-space under a circular punch, homogeneous or with `E ~ y^mu`: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `dm = eta deta`, for pressures without angle.
 
-use std::f64::consts::{FRAC_1_PI, PI, TAU};
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use fredholm::SincOperator;
 use fredholm::complementarity::{mean_logarithms, mean_powers};
 use fredholm::kernel::{Kernel, WeberSonine};
-use fredholm::multipole::PanelKernel;
+use fredholm::multipole::{PanelKernel, Rings};
 
 use super::STEP;
 use super::shared::{disk_harmonic, disk_operator};
@@ -16,13 +16,18 @@ use crate::Error;
 #[derive(Debug)]
 pub(super) struct Disk {
     kernel: WeberSonine,
+    /// What it begins with where rings of the radius 1 meet, as a logarithm or a power.
+    share: f64,
 }
 
 impl Disk {
     /// # Errors
     /// [`Error::Equation`] unless `0 <= mu < 1`.
     pub(super) fn new(exponent: f64) -> Result<Self, Error> {
-        Ok(Self { kernel: disk_harmonic(0, exponent)? })
+        let kernel = disk_harmonic(0, exponent)?;
+        let strength = kernel.split(1.0, 1.0, 0.0).factor;
+        let share = if exponent > 0.0 { strength / exponent } else { strength };
+        Ok(Self { kernel, share })
     }
 }
 
@@ -86,11 +91,16 @@ impl Ground for Disk {
     }
 
     fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
-        (self.exponent() == 0.0).then_some((PanelKernel::Ring { harmonic: 0 }, 1.0))
+        Some((PanelKernel::Ring(Rings::of(&self.kernel).ok()?), 1.0))
     }
 
     fn panel_share(&self) -> f64 {
-        FRAC_1_PI
+        self.share
+    }
+
+    fn turned_panel_kernel(&self) -> Result<Option<PanelKernel>, Error> {
+        let kernel = disk_harmonic(1, self.exponent())?;
+        Ok(Some(PanelKernel::Ring(Rings::of(&kernel)?)))
     }
 
     fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {

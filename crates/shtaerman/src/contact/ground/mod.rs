@@ -168,6 +168,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         1.0
     }
 
+    /// The kernel of fast products for pressures `p(r) cos(phi)` on a disk, to be multiplied by the same.
+    fn turned_panel_kernel(&self) -> Result<Option<PanelKernel>, Error> {
+        Ok(None)
+    }
+
     /// The kernel of pressures `p(r) cos(phi)` on a disk.
     fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {
         Ok(None)

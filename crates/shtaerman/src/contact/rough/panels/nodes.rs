@@ -129,7 +129,7 @@ impl PanelInverse {
     /// Groups of a quarter of the layer where the law is steepest.
     fn new(
         base: &Base,
-        kernel: PanelKernel,
+        kernel: &PanelKernel,
         panels: &Panels,
         parameter: f64,
         slopes: Option<Vec<f64>>,
@@ -166,7 +166,7 @@ impl<'b> PanelNodes<'b> {
     ) -> Result<Self, Error> {
         let (kernel, frame, panels) = cut(base, joints, zones, effort.fineness)?;
         let Hull { centre, half } = frame.hull;
-        let operator = PanelOperator::beside(kernel, panels, known)?;
+        let operator = PanelOperator::beside(kernel.clone(), panels, known)?;
         let on_base = |y: &f64| centre + half * y;
         let bounds = operator.panels().bounds().iter();
         let panels = bounds.map(|panel| panel.each_ref().map(on_base)).collect();
@@ -251,7 +251,7 @@ impl Discrete for PanelNodes<'_> {
     }
 
     fn inverse(&self, slopes: Option<Vec<f64>>) -> Result<PanelInverse, Error> {
-        PanelInverse::new(self.base, self.kernel, self.operator.panels(), self.parameter, slopes)
+        PanelInverse::new(self.base, &self.kernel, self.operator.panels(), self.parameter, slopes)
     }
 
     fn solve(
@@ -350,13 +350,13 @@ impl Discrete for PanelNodes<'_> {
 
 /// `dM0/d(-alpha0)` on the panels of a solution: `q + theta W_1 (w q) = r`, `M0 = pi int w q r^2 dr`.
 fn turning(base: &Base, solved: &Solved<OnPanels>) -> Result<f64, Error> {
-    let kernel = PanelKernel::Ring { harmonic: 1 };
+    let kernel = base.ground.turned_panel_kernel()?.ok_or_else(unknown)?;
     let (panels, layer) = (solved.field.field.panels(), solved.layer);
-    let operator = PanelOperator::new(kernel, panels.clone())?;
+    let operator = PanelOperator::new(kernel.clone(), panels.clone())?;
     let slopes =
         (!layer.is_linear()).then(|| solved.given.iter().map(|v| layer.slope(*v)).collect());
     let parameter = solved.field.parameter;
-    let inverse = PanelInverse::new(base, kernel, panels, parameter, slopes)?;
+    let inverse = PanelInverse::new(base, &kernel, panels, parameter, slopes)?;
     let weight = inverse.slopes.as_deref();
     let equation =
         PanelEquation { operator: &operator, parameter, weight, groups: &inverse.groups };
@@ -397,7 +397,7 @@ pub(super) fn cut(
         let is_disk = base.ground.is_disk();
         let panels = if is_disk { Panels::about_axis } else { Panels::new };
         let panels = panels(bounds, fineness.order)?;
-        match PanelOperator::check(kernel, &panels) {
+        match PanelOperator::check(&kernel, &panels) {
             Err(fredholm::Error::TooLarge { .. }) => fineness.longest = 0.5 * longest,
             checked => return Ok(checked.map(|()| (kernel, frame, panels))?),
         }
