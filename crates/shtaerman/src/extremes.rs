@@ -3,8 +3,10 @@
 use crate::line_search::{crossing, top};
 use crate::rounding::OF_A_VALUE;
 
-/// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line (survey).
+/// Most sign changes that are sought: of more the samples are dense enough for a straight line (survey).
 const MOST_REFINED: usize = 32;
+/// Most samples beside which a maximum is sought, the highest first: the more only where crests are alike to what samples tell.
+const MOST_CRESTS: usize = 128;
 /// A pressure below this, relative to the largest, counts as zero (survey).
 pub(crate) const NEGLIGIBLE: f64 = 1e-12;
 
@@ -30,7 +32,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
 
     /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding sets apart from it.
     pub(crate) fn maximum(&self) -> Extreme {
-        let found = self.candidates().into_iter().map(|i| self.refined(i));
+        let found = self.candidates().into_iter().map(|(_, found)| found);
         let found = found.reduce(|best, other| {
             if other.value > best.value + NEGLIGIBLE * best.value.abs() { other } else { best }
         });
@@ -46,36 +48,53 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         }
     }
 
-    /// The samples beside which the function may be largest: those with the largest values, and others from which it may rise as high, from left to right.
-    fn candidates(&self) -> Vec<usize> {
+    /// The samples beside which the function may be largest, with the largest values there: that with the largest value, and those from which it may rise above all that were found before, the highest first; in
+    /// the end from left to right.
+    fn candidates(&self) -> Vec<(usize, Extreme)> {
         let (values, mut best) = (&self.values, 0);
         for (i, value) in values.iter().enumerate() {
             if *value > values[best] + NEGLIGIBLE * values[best].abs() {
                 best = i;
             }
         }
-        let mut all = self.tops(values[best]);
-        all.retain(|i| *i != best);
-        all.truncate(MOST_REFINED - 1);
-        all.push(best);
-        all.sort_unstable();
-        all
+        let mut found = vec![(best, self.refined(best))];
+        let mut highest = found[0].1.value;
+        for i in self.tops(values[best]) {
+            if i != best && self.reached(i) > highest {
+                let other = self.refined(i);
+                highest = highest.max(other.value);
+                found.push((i, other));
+            }
+        }
+        found.sort_unstable_by_key(|(i, _)| *i);
+        found
     }
 
-    /// The samples beside which the function may rise above a value, the highest first.
+    /// The values before and after a sample.
+    fn neighbours(&self, i: usize) -> [f64; 2] {
+        let last = self.values.len().saturating_sub(1);
+        [i.saturating_sub(1), (i + 1).min(last)].map(|j| self.values[j])
+    }
+
+    /// A sample with a share of the second difference about it: with an eighth of it the most that a parabola through three samples rises to.
+    fn raised(&self, i: usize, share: f64) -> f64 {
+        let [before, after] = self.neighbours(i);
+        self.values[i] + share * (2.0 * self.values[i] - before - after)
+    }
+
+    /// What the function may rise to beside a sample: others than parabolas may by more, and four times as much is looked at.
+    fn reached(&self, i: usize) -> f64 {
+        self.raised(i, 0.5)
+    }
+
+    /// The samples beside which the function may rise above a value, the highest first as parabolas tell: where samples are few they rise more, and would come before higher ones where these are many.
     fn tops(&self, value: f64) -> Vec<usize> {
-        let (values, last) = (&self.values, self.values.len().saturating_sub(1));
-        let neighbours = |i: usize| [i.saturating_sub(1), (i + 1).min(last)].map(|j| values[j]);
-        // A parabola through three samples rises by an eighth of their second difference at most; others may rise by more: four times as much is looked at.
-        let reached = |i: usize| {
-            let [before, after] = neighbours(i);
-            values[i] + 0.5 * (2.0 * values[i] - before - after)
-        };
-        let is_top = |i: &usize| neighbours(*i).iter().all(|value| values[*i] >= *value);
-        let tops = (0..values.len()).filter(is_top).filter(|i| reached(*i) > value);
-        let mut tops: Vec<usize> = tops.collect();
-        crate::order::sort_by_number(&mut tops, |one| -reached(*one));
-        tops.truncate(MOST_REFINED);
+        let is_top =
+            |i: &usize| self.neighbours(*i).iter().all(|beside| self.values[*i] >= *beside);
+        let tops = (0..self.values.len()).filter(is_top);
+        let mut tops: Vec<usize> = tops.filter(|i| self.reached(*i) > value).collect();
+        crate::order::sort_by_number(&mut tops, |one| -self.raised(*one, 0.125));
+        tops.truncate(MOST_CRESTS);
         tops
     }
 
@@ -167,6 +186,23 @@ mod tests {
         assert_eq!(sampled(|x: f64| x * x).maximum().place, -1.0);
         assert_eq!(sampled(|_| 0.5).maximum().value, 0.5);
         assert_eq!(sampled(|x: f64| (x - 1e-10).cos()).maximum().place, 0.0);
+    }
+
+    /// Many crests that are nearly alike, the highest where samples are dense: where they are few parabolas rise by more.
+    #[test]
+    fn finds_the_highest_of_many_crests() {
+        for crests in [30.0, 36.0, 45.0, 70.0] {
+            let wave = |x: f64| {
+                1.0 + 1e-3 * (std::f64::consts::PI * crests * x).cos() - 1e-5 * (x - 0.93).powi(2)
+            };
+            let mut points = fredholm::basis::chebyshev::points(360);
+            points.reverse();
+            let values = points.iter().map(|&x| wave(x)).collect();
+            let found = Sampled::new(wave, points, values).maximum();
+            let most =
+                (0..=40_000).map(|i| wave(f64::from(i) / 20_000.0 - 1.0)).fold(0.0, f64::max);
+            assert!(found.value >= most - 1e-12, "{crests}: {found:?} {most}");
+        }
     }
 
     /// A crest between the last two samples, where both ends of a wave have the same value; and two crests of which the lower has the higher sample.

@@ -29,6 +29,7 @@ pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use transfer::{LAST_WAVENUMBER, TransferDisk, TransferPlane};
+pub(crate) use weber_sonine::Homogeneous;
 pub use weber_sonine::WeberSonine;
 pub use yukawa::{Yukawa, YukawaRelation};
 

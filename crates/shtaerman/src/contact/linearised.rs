@@ -61,7 +61,8 @@ impl Contact {
     /// Where the pressure may be largest as well, as far as it is known.
     fn rivals(&self) -> Vec<f64> {
         let (peak, at) = self.peak();
-        let off = self.solution().accuracy().map_or(0.0, |known| 2.0 * known.pressure);
+        let known = [self.solution().accuracy(), self.accuracy()].into_iter().flatten();
+        let off = 2.0 * known.map(|known| known.pressure).fold(0.0, f64::max);
         let (places, pressures) = self.solution().sample();
         Sampled::new(|xi| self.pressure_at(xi), places, pressures).elsewhere(at, peak - off)
     }
@@ -97,7 +98,8 @@ impl Contact {
             let beside = at(rival)?;
             for k in 0..found.rates.len() {
                 let [here, there] = [&found, &beside].map(|at| at.rates[k][3]);
-                found.errors[k][3] = found.errors[k][3].max((there - here).abs());
+                let there = (there - here).abs() + beside.errors[k][3];
+                found.errors[k][3] = found.errors[k][3].max(there);
             }
         }
         if self.is_level() {

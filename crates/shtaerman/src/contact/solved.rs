@@ -341,9 +341,11 @@ impl Contact {
     /// The error of the largest `p0`; none without an audit that bounds it.
     pub(super) fn peak_error(&self) -> Option<f64> {
         let audit = self.found_audit()?;
-        // Where it was found the true pressure is no less than that, and nowhere more than this.
-        let above = audit.highest? - self.peak().0;
-        Some(audit.accuracy.pressure.max(above)).filter(|error| error.is_finite())
+        let (peak, at) = self.peak();
+        // Where it was found the true pressure is no less than that, and nowhere more than this. That of a node is not to the last digit the one between nodes, which was audited.
+        let above = audit.highest? - peak;
+        let below = audit.accuracy.pressure + (peak - self.pressure_at(at)).abs();
+        Some(below.max(above)).filter(|error| error.is_finite())
     }
 
     /// The audit that was carried out, or why there is none; none where nobody asked for it.

@@ -5,9 +5,12 @@ mod cutoff;
 mod dyadic;
 mod factor;
 mod gram;
+mod homogeneous;
 mod many;
 mod relation;
 mod value;
+
+pub(crate) use homogeneous::Homogeneous;
 
 use std::sync::Arc;
 

@@ -16,7 +16,8 @@ use crate::Error;
 #[derive(Debug)]
 pub(super) struct Disk {
     kernel: WeberSonine,
-    /// What it begins with where rings of the radius 1 meet, as a logarithm or a power.
+    /// The same on panels, and what it begins with where rings of the radius 1 meet, as a logarithm or a power.
+    rings: Rings,
     share: f64,
 }
 
@@ -27,7 +28,7 @@ impl Disk {
         let kernel = disk_harmonic(0, exponent)?;
         let strength = kernel.split(1.0, 1.0, 0.0).factor;
         let share = if exponent > 0.0 { strength / exponent } else { strength };
-        Ok(Self { kernel, share })
+        Ok(Self { rings: Rings::of(&kernel)?, kernel, share })
     }
 }
 
@@ -91,7 +92,7 @@ impl Ground for Disk {
     }
 
     fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
-        Some((PanelKernel::Ring(Rings::of(&self.kernel).ok()?), 1.0))
+        Some((PanelKernel::Ring(self.rings.clone()), 1.0))
     }
 
     fn panel_share(&self) -> f64 {
