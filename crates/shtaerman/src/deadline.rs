@@ -16,6 +16,8 @@ pub(crate) mod work {
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 1.5;
+    /// So many times as much where panels are rings (survey: traces of 500 to 5000 points).
+    pub(crate) const ON_RINGS: f64 = 2.0;
     /// Of a system on cells for each cube: the definite way is tried before the general one, and memory is asked for anew.
     pub(crate) const CELLS: f64 = 5.4;
     /// Of what a place does to another on a rough surface, where it is a ring, where its kernel is a power, and where it lies on a layered body, of which the potential counts as well.

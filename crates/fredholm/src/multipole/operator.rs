@@ -58,12 +58,12 @@ impl PanelOperator {
         other: Option<&Self>,
     ) -> Result<Self, Error> {
         let (tree, near_starts) = Self::boxes(&kernel, &panels)?;
-        let tree = tree.filled(&kernel, panels.nodes());
-        let entries = NearEntries::new(&kernel, &panels);
         let other = other.filter(|other| {
             let is_same_tree = other.tree.leaves() == tree.leaves();
             other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
         });
+        let tree = tree.filled(&kernel, panels.nodes(), other.map(|other| &*other.tree));
+        let entries = NearEntries::new(&kernel, &panels);
         let lengths = near_starts.windows(2).map(|pair| pair[1] - pair[0]);
         // Asked for by one thread: libraries give back less of what that frees.
         let mut new: Vec<Vec<f64>> = lengths.clone().map(Vec::with_capacity).collect();

@@ -187,9 +187,7 @@ impl Rings {
     pub(super) fn value(&self, x: f64, s: f64, difference: f64) -> f64 {
         let [d, factor] = self.apart(x, s, difference);
         if let Some(power) = &self.power {
-            let mut value = [d];
-            power.values(&mut value);
-            return (factor * value[0]).min(f64::MAX);
+            return (factor * power.value(d)).min(f64::MAX);
         }
         let Split { logarithm, plain } = self.split();
         factor * (polynomial(plain, d * d) - polynomial(logarithm, d * d) * d.ln())
@@ -217,7 +215,8 @@ impl Rings {
     }
 
     /// The slope in `x` for different radii.
-    pub(super) fn slope(&self, x: f64, s: f64) -> f64 {
+    #[must_use]
+    pub fn slope(&self, x: f64, s: f64) -> f64 {
         if self.power.is_some() {
             let step = STEP * (x - s).abs().min(x);
             let at = |k: f64| self.value(x + k * step, s, x - s + k * step);

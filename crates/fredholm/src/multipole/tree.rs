@@ -1,8 +1,9 @@
 //! The far part of a potential: boxes of halved lengths whose charges act on each other through interpolation at Chebyshev points.
 
+use std::array;
 use std::f64::consts::PI;
 use std::ops::Range;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use super::kernel::PanelKernel;
 use super::rings::Rings;
@@ -51,7 +52,7 @@ pub(super) enum Across {
     /// `K(h (t_i - (2 offset + t_k)))`, level by level, `h` half of a box.
     Shifted(Vec<[Square; 4]>),
     /// Of rings `h^(1 + mu) K`, box by box from the axis on: for boxes of any size the same; with `1 + mu`.
-    Rings(Vec<[Square; 4]>, f64),
+    Rings(Arc<Vec<[Square; 4]>>, f64),
 }
 
 /// A value of each of some functions at each point of a box.
@@ -89,10 +90,17 @@ impl Tree {
     }
 
     /// With all that products take.
-    pub(super) fn filled(mut self, kernel: &PanelKernel, nodes: &[f64]) -> Self {
-        self.across = match kernel.rings() {
-            Some(rings) => self.rings(rings),
-            None => self.shifted(kernel),
+    pub(super) fn filled(
+        mut self,
+        kernel: &PanelKernel,
+        nodes: &[f64],
+        other: Option<&Self>,
+    ) -> Self {
+        // Of the same kernel on as many boxes they are the same.
+        self.across = match (kernel.rings(), other.map(|other| &other.across)) {
+            (Some(_), Some(known @ Across::Rings(..))) => known.clone(),
+            (Some(rings), _) => self.rings(rings),
+            (None, _) => self.shifted(kernel),
         };
         let mut values = vec![[0.0; POINTS]; nodes.len()];
         let mut rest = &mut values[..];
@@ -141,14 +149,21 @@ impl Tree {
                         continue;
                     }
                     let radius = |of: isize, t: f64| (2 * of + 1) as f64 + t;
-                    *matrix = square(|i, k| {
+                    let apart = |i: usize, k: usize| {
                         let (x, s) = (radius(target, points[i]), radius(source, points[k]));
-                        rings.value(x, s, x - s)
-                    });
+                        rings.apart(x, s, x - s)
+                    };
+                    // All logarithms or powers of a box at once.
+                    let mut values = [[0.0; POINTS]; POINTS];
+                    for (k, column) in values.iter_mut().enumerate() {
+                        *column = array::from_fn(|i| apart(i, k)[0]);
+                    }
+                    rings.values(values.as_flattened_mut());
+                    *matrix = square(|i, k| apart(i, k)[1] * values[k][i]);
                 }
             }
         });
-        Across::Rings(across, 1.0 + rings.exponent())
+        Across::Rings(Arc::new(across), 1.0 + rings.exponent())
     }
 
     /// The matrices of a box of a level with those in reach, and the factor that they lack.
@@ -203,8 +218,8 @@ impl Tree {
 }
 
 fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
-    let column = |k: usize| std::array::from_fn(|i| if i < POINTS { entry(i, k) } else { 0.0 });
-    std::array::from_fn(column)
+    let column = |k: usize| array::from_fn(|i| if i < POINTS { entry(i, k) } else { 0.0 });
+    array::from_fn(column)
 }
 
 /// The Chebyshev points of the first kind, the weights of the barycentric formula, and from whole boxes to halves and back.
@@ -216,12 +231,12 @@ struct Chebyshev {
 
 static CHEBYSHEV: LazyLock<Chebyshev> = LazyLock::new(|| {
     let points: [f64; POINTS] =
-        std::array::from_fn(|k| -((2 * k + 1) as f64 * PI / (2 * POINTS) as f64).cos());
+        array::from_fn(|k| -((2 * k + 1) as f64 * PI / (2 * POINTS) as f64).cos());
     let weight = |k: usize| {
         let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * (1.0 - points[k] * points[k]).sqrt()
     };
-    let weights = std::array::from_fn(weight);
+    let weights = array::from_fn(weight);
     let halves = [-1.0, 1.0].map(|side| {
         let rows = points.map(|t| {
             let mut row = [0.0; POINTS];

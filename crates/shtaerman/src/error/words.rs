@@ -22,7 +22,7 @@ pub(super) fn about(value: f64) -> f64 {
 /// How far the search for zones came.
 pub(super) fn attempt(tension: f64, penetration: f64) -> String {
     if tension.is_nan() {
-        return "no attempt came to an end. A base with many waves, kinks or measured points may not be resolved, most of all under a disk on graded ground, and of zones far smaller than the base its heights have too few digits: a smoother profile, another load or a rougher surface may be solved".to_owned();
+        return "no attempt came to an end. A base with many waves, kinks or measured points may not be resolved, most of all under a disk on strongly graded ground, and of zones far smaller than the base its heights have too few digits: a smoother profile, another load or a rougher surface may be solved".to_owned();
     }
     if !(tension.is_finite() && penetration.is_finite()) {
         return "the best attempt has no pressure that its tension, and no displacement that its penetration could be measured by; another load, roughness or profile of more usual size may be solved".to_owned();

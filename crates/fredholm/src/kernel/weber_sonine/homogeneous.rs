@@ -57,6 +57,14 @@ impl Homogeneous {
         (square <= NEAR).then(parts)
     }
 
+    /// `h`.
+    pub(crate) fn value(&self, d: f64) -> f64 {
+        match self.parts(d) {
+            Some([singular, rest]) => singular * d.powf(-self.exponent) + rest,
+            None => polynomial(&self.far, 2.0 / (1.0 - NEAR) * (d * d - NEAR) - 1.0),
+        }
+    }
+
     /// Replaces values of `d` by `h`.
     pub(crate) fn values(&self, distances: &mut [f64]) {
         for part in distances.chunks_mut(CHUNK) {
@@ -105,6 +113,8 @@ mod tests {
                     (value[0] - exact).abs() < 1e-14 * size,
                     "{order} {gamma} {d:e}: {value:?} {exact}"
                 );
+                let alone = found.value(d);
+                assert!((alone - exact).abs() < 1e-14 * size, "{order} {gamma} {d:e}: {alone}");
                 if let Some([singular, rest]) = found.parts(d) {
                     let sum = singular * d.powf(-2.0 * gamma) + rest;
                     assert!(

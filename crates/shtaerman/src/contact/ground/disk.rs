@@ -8,9 +8,8 @@ use fredholm::complementarity::{mean_logarithms, mean_powers};
 use fredholm::kernel::{Kernel, WeberSonine};
 use fredholm::multipole::{PanelKernel, Rings};
 
-use super::STEP;
 use super::shared::{disk_harmonic, disk_operator};
-use super::{Ground, Hull, SharedKernel, smooth_means};
+use super::{Ground, Hull, SHARP, SharedKernel, smooth_means};
 use crate::Error;
 
 #[derive(Debug)]
@@ -42,13 +41,10 @@ impl Ground for Disk {
     }
 
     fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {
-        let difference = xi - eta;
-        let step = STEP * difference.abs();
-        if xi + step == xi || xi <= step {
-            return -self.kernel.split(xi, xi, 0.0).factor;
+        match xi - eta {
+            0.0 => -self.kernel.split(xi, xi, 0.0).factor,
+            difference => difference * self.share * self.rings.slope(xi, eta),
         }
-        let at = |xi: f64| self.kernel.value(xi, eta);
-        difference * (at(xi + step) - at(xi - step)) / (2.0 * step)
     }
 
     fn means(&self, lefts: &[[f64; 2]], right: [f64; 2]) -> Vec<f64> {
@@ -92,7 +88,8 @@ impl Ground for Disk {
     }
 
     fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
-        Some((PanelKernel::Ring(self.rings.clone()), 1.0))
+        // The rule of the panel at the axis loses the digits of a sharper power.
+        (self.exponent() < SHARP).then(|| (PanelKernel::Ring(self.rings.clone()), 1.0))
     }
 
     fn panel_share(&self) -> f64 {
@@ -117,21 +114,5 @@ impl Ground for Disk {
             return self.kernel.value(y, t);
         }
         self.kernel.pair(y, t, f64::MIN_POSITIVE).value
-    }
-
-    fn slope(&self, xi: f64, eta: f64) -> f64 {
-        let difference = xi - eta;
-        if difference == 0.0 {
-            return 0.0;
-        }
-        let step = STEP * difference.abs();
-        if xi + step == xi || xi <= 2.0 * step {
-            return self.reduced_slope(xi, eta) / difference;
-        }
-        let at = |k: f64| {
-            let moved = (difference + k * step).abs();
-            self.kernel.pair(xi + k * step, eta, moved).value
-        };
-        (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
     }
 }

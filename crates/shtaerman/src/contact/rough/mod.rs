@@ -138,7 +138,9 @@ impl Way {
         if !base.has_panels() {
             vec![Self::Collocation(Effort::MOST)]
         } else if base.is_for_panels() || !Collocation::new(base, Effort::LITTLE).is_quick() {
-            vec![Self::Panels, Self::Collocation(Effort::LITTLE)]
+            // Waves on a disk have more digits by collocation, where that is to be had.
+            let effort = if base.ground.is_disk() { Effort::MOST } else { Effort::LITTLE };
+            vec![Self::Panels, Self::Collocation(effort)]
         } else {
             vec![Self::Collocation(Effort::LITTLE), Self::Panels]
         }

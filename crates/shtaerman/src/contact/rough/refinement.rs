@@ -199,7 +199,8 @@ impl<F: Field> Solved<F> {
             let panels = &self.nodes.panels[self.nodes.panels_of(zone)];
             let panel = if side == 0 { panels.first()? } else { panels.last()? };
             let (end, inner) = (panel[side], panel[1 - side]);
-            let height = |xi: f64| if self.layer.is_linear() { 0.0 } else { base.height(xi) };
+            let of_zone = |xi: f64| base.height(zone.inside(xi));
+            let height = |xi: f64| if self.layer.is_linear() { 0.0 } else { of_zone(xi) };
             let [outer, beside] = [end, inner].map(|xi| self.pressure_at(xi, height(xi)));
             let change = (outer - beside).abs();
             let pressure = self.pressure_at(inner, base.height(inner)).abs();

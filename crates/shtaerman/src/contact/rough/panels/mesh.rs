@@ -102,8 +102,6 @@ impl Anchor {
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
         let power = if is_corner && !is_free { 1.0 } else { 2.0 };
         let eased = EASED * (power - exponent) / fineness.order as f64;
-        // From the axis on the kernel of rings itself asks for it.
-        let eased = if is_axis { 0.0 } else { eased };
         // The pressure at a free end rises over the length of its zone, and from a measured point that of a smooth contact, too, goes on as `d^2 ln d`. Farther away than the longest panels ask for none
         // is longer for its distance, and what is missed there is no measure.
         let rise = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
@@ -111,8 +109,15 @@ impl Anchor {
         Self { at, is_left, shortest: least.max(ROUNDING), growth, reach, eased }
     }
 
+    /// The axis: beside it the kernel of rings is no polynomial but on panels that are short for their distance from it; the one that begins there has a rule of its own.
+    const AXIS: Self =
+        Self { at: 0.0, is_left: true, shortest: 0.0, growth: GROWTH, reach: 0.0, eased: 0.0 };
+
     /// The longest panel between these places.
     fn allowed(&self, places: [f64; 2]) -> f64 {
+        if self.shortest == 0.0 && places[0] == self.at {
+            return f64::INFINITY;
+        }
         let far = self.far(places);
         (far - self.begin(far)).max(self.shortest)
     }
@@ -199,7 +204,8 @@ pub(super) fn panels(
             if right - left > ROUNDING || right == zone.right() {
                 let bends = [(left, true), (right, false)].into_iter();
                 let bends = bends.filter(|(at, _)| !zone.ends.contains(at)).map(anchor);
-                let anchors: Vec<Anchor> = ends.into_iter().chain(bends).collect();
+                let axis = base.ground.is_disk().then_some(Anchor::AXIS);
+                let anchors: Vec<Anchor> = ends.into_iter().chain(bends).chain(axis).collect();
                 let mut pieces = vec![[left, right]];
                 if !base.is_measured() {
                     pieces = resolved(base, [left, right], fineness);

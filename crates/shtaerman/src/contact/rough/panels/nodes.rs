@@ -100,7 +100,9 @@ impl Field for OnPanels {
         let turning = turning(base, solved)?;
         let coarser = solved.coarser.last().map(|coarser| self::turning(base, coarser));
         let off = match coarser {
-            Some(coarser) => SAFETY * (turning - coarser?).abs(),
+            Some(coarser) => {
+                SAFETY * ((turning - coarser?).abs() + solved.unsolved * turning.abs())
+            }
             None => turning.abs(),
         };
         Ok([turning, off])
@@ -236,8 +238,10 @@ impl Discrete for PanelNodes<'_> {
 
     /// With fast products it grows with the number of nodes, and where these crowd with that of their pairs.
     fn work(&self) -> f64 {
-        let of_power = if self.base.ground.exponent() > 0.0 { work::POWERS } else { 1.0 };
-        work::NODE * of_power * self.size()
+        let ground = &self.base.ground;
+        let of_power = if ground.exponent() > 0.0 { work::POWERS } else { 1.0 };
+        let of_rings = if ground.is_disk() { work::ON_RINGS } else { 1.0 };
+        work::NODE * of_power * of_rings * self.size()
     }
 
     fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {

@@ -24,6 +24,8 @@ use crate::solver::AIM;
 const NODES_A_VALLEY: f64 = 12.0;
 /// Most nodes with which the dense equation is quicker than panels (survey: `benches/plausible/run.py 5511 60`).
 const QUICK: f64 = 350.0;
+/// The same on disks, where products take longer (survey: disks of `benches/plausible/run.py 9913 60`).
+const QUICK_ON_DISKS: f64 = 700.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything (one digit is the least that an answer has).
 const ALL_NOISE: f64 = 0.1;
 /// The least part of that: nodes crowd so much at an end that differences of the first have no digits left (rounding).
@@ -70,7 +72,8 @@ impl<'b> Collocation<'b> {
         let zones: Vec<Zone> = shown.iter().map(|ends| self.base.zone(*ends)).collect();
         let panels: usize = zones.iter().map(|zone| zone.panels(&self.base.breaks).len()).sum();
         let takes_steps = !self.base.layer.is_linear() && zones.len() > 1;
-        !takes_steps && 2.0 * panels as f64 * self.strength(&zones) <= QUICK
+        let quick = if self.base.ground.is_disk() { QUICK_ON_DISKS } else { QUICK };
+        !takes_steps && 2.0 * panels as f64 * self.strength(&zones) <= quick
     }
 
     /// The answer on the whole base.
