@@ -5,13 +5,10 @@
 
 use std::sync::Arc;
 
-use super::rule::{MOST, PanelRule};
-use super::sums::SIDE_BY_SIDE;
 use crate::Error;
 use crate::complementarity::{mean_logarithm, mean_power};
 use crate::kernel::Homogeneous;
 use crate::kernel::WeberSonine;
-use crate::quadrature::double_exponential;
 use crate::special::logarithms;
 
 /// `a` and `b` by their coefficients.
@@ -84,8 +81,8 @@ const SPLITS: [Split; 2] = [
         ],
     },
 ];
-/// Nodes of the rule on either side of a place, or of the middle of the panel that begins at the axis, up and down from its middle: twice as many change nothing but rounding (test).
-const NODES: usize = 60;
+/// Places that are taken at once.
+const CHUNK: usize = 64;
 /// Gauss's rules of three and of two nodes, no two of which are one place.
 const THREE: [[f64; 2]; 3] = [
     [-0.774_596_669_241_483_4, 5.0 / 18.0],
@@ -173,7 +170,7 @@ impl Rings {
             return power.values(distances);
         }
         let Split { logarithm, plain } = self.split();
-        let mut squares = [0.0; SIDE_BY_SIDE];
+        let mut squares = [0.0; CHUNK];
         for part in distances.chunks_mut(squares.len()) {
             part.iter().zip(&mut squares).for_each(|(d, q)| *q = d * d);
             logarithms(part);
@@ -261,48 +258,6 @@ impl Rings {
     }
 }
 
-impl PanelRule {
-    /// The weights of `int_0^1 G(x, s) phi(s) s ds` for values of a polynomial at the nodes, from the place in `[0, 1]` or beside it.
-    pub(super) fn weights_from_axis(&self, rings: &Rings, x: f64, weights: &mut [f64]) {
-        let order = self.order();
-        let mut moments = [0.0; MOST];
-        let cut = x.min(1.0);
-        let power = 1.0 / (1.0 - rings.exponent());
-        // From the place, or from the end before it, to both ends.
-        for to in [0.0, 1.0] {
-            let length = to - cut;
-            if length == 0.0 {
-                continue;
-            }
-            for node in double_exponential(NODES) {
-                // u = d^(1 - mu) of the distance d takes the singularity of a power away.
-                let u = 0.5 * node.from_left;
-                let share = u.powf(power);
-                let s = cut + length * share;
-                let difference = (x - cut) - length * share;
-                if difference == 0.0 || s <= 0.0 {
-                    continue;
-                }
-                let value = rings.value(x, s, difference);
-                // From the axis to where that overflows there is less than rounding.
-                if value >= f64::MAX {
-                    continue;
-                }
-                let weight = 0.5 * node.weight * power * share / u;
-                let mass = length.abs() * weight * s * value;
-                let y = 2.0 * s - 1.0;
-                let (mut before, mut here) = (0.0, 1.0);
-                for (k, moment) in moments[..order].iter_mut().enumerate() {
-                    *moment += mass * here;
-                    let k = k as f64;
-                    (before, here) = (here, ((2.0 * k + 1.0) * y * here - k * before) / (k + 1.0));
-                }
-            }
-        }
-        self.from_moments(&moments[..order], weights);
-    }
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
@@ -383,19 +338,5 @@ pub(super) mod tests {
             }
         }
         assert!(both()[0].slope(0.0, 0.4).abs() < 1e-13);
-    }
-
-    #[test]
-    fn the_panel_at_the_axis_has_integrals_in_closed_form() {
-        for order in [4, 10, 13] {
-            let rule = PanelRule::new(order).unwrap();
-            let mut weights = vec![0.0; order];
-            for x in [0.0, 1e-9, 0.02, 0.3, 0.77, 0.999, 1.0, 1.001, 1.3, 1.7] {
-                rule.weights_from_axis(&both()[0], x, &mut weights);
-                let found: f64 = weights.iter().sum();
-                let exact = uniform(x);
-                assert!((found - exact).abs() < 4e-15, "{order} {x}: {found} {exact}");
-            }
-        }
     }
 }

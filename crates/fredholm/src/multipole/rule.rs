@@ -1,8 +1,9 @@
 //! Gauss nodes of a panel and the moments of the logarithm over it.
 
 use super::kernel::PanelKernel;
+use super::rings::Rings;
 use crate::Error;
-use crate::quadrature::gauss_legendre;
+use crate::quadrature::{double_exponential, gauss_legendre};
 
 /// Beyond this many half-lengths from the middle Legendre's functions are computed downwards.
 const FORWARD: f64 = 1.05;
@@ -10,6 +11,9 @@ const FORWARD: f64 = 1.05;
 const DIGITS: f64 = 37.0;
 const FAR_DIGITS: f64 = 34.5;
 const FEWEST_DIGITS: f64 = 8.0;
+
+/// Nodes of the rule on either side of a place, or of the middle of the panel that begins at the axis, up and down from its middle: twice as many change nothing but rounding (test).
+const NODES: usize = 60;
 
 /// Gauss nodes on `(-1, 1)` with what interpolation between them needs.
 #[derive(Debug, Clone)]
@@ -87,6 +91,46 @@ impl PanelRule {
         for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(self.order())) {
             weights.iter_mut().zip(row).for_each(|(w, a)| *w += moment * a);
         }
+    }
+
+    /// The weights of `int_0^1 G(x, s) phi(s) s ds` for values of a polynomial at the nodes, from the place in `[0, 1]` or beside it.
+    pub(super) fn weights_from_axis(&self, rings: &Rings, x: f64, weights: &mut [f64]) {
+        let order = self.order();
+        let mut moments = [0.0; MOST];
+        let cut = x.min(1.0);
+        let power = 1.0 / (1.0 - rings.exponent());
+        // From the place, or from the end before it, to both ends.
+        for to in [0.0, 1.0] {
+            let length = to - cut;
+            if length == 0.0 {
+                continue;
+            }
+            for node in double_exponential(NODES) {
+                // u = d^(1 - mu) of the distance d takes the singularity of a power away.
+                let u = 0.5 * node.from_left;
+                let share = u.powf(power);
+                let s = cut + length * share;
+                let difference = (x - cut) - length * share;
+                if difference == 0.0 || s <= 0.0 {
+                    continue;
+                }
+                let value = rings.value(x, s, difference);
+                // From the axis to where that overflows there is less than rounding.
+                if value >= f64::MAX {
+                    continue;
+                }
+                let weight = 0.5 * node.weight * power * share / u;
+                let mass = length.abs() * weight * s * value;
+                let y = 2.0 * s - 1.0;
+                let (mut before, mut here) = (0.0, 1.0);
+                for (k, moment) in moments[..order].iter_mut().enumerate() {
+                    *moment += mass * here;
+                    let k = k as f64;
+                    (before, here) = (here, ((2.0 * k + 1.0) * y * here - k * before) / (k + 1.0));
+                }
+            }
+        }
+        self.from_moments(&moments[..order], weights);
     }
 
     /// The derivatives at the nodes of the polynomial through values there.
@@ -211,7 +255,21 @@ fn downwards(x: f64, functions: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quadrature::double_exponential;
+    use crate::multipole::rings::tests::{rings, uniform};
+
+    #[test]
+    fn the_panel_at_the_axis_has_integrals_in_closed_form() {
+        for order in [4, 10, 13] {
+            let rule = PanelRule::new(order).unwrap();
+            let mut weights = vec![0.0; order];
+            for x in [0.0, 1e-9, 0.02, 0.3, 0.77, 0.999, 1.0, 1.001, 1.3, 1.7] {
+                rule.weights_from_axis(&rings(0, 0.0), x, &mut weights);
+                let found: f64 = weights.iter().sum();
+                let exact = uniform(x);
+                assert!((found - exact).abs() < 4e-15, "{order} {x}: {found} {exact}");
+            }
+        }
+    }
 
     #[test]
     fn moments_agree_with_quadrature() {

@@ -11,7 +11,6 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
 use super::nodes::{FEWEST, Field, MOST_DENSE, PLACES, RATIO, between_nodes};
-use super::sinc::SincField;
 use super::solved::{Solved, largest};
 use crate::contact::accuracy::{Accuracy, SAFETY};
 use crate::contact::balance::State;
@@ -50,9 +49,9 @@ pub(super) struct Unit {
 }
 
 /// `dM0/d(-alpha0)` on the zones and nodes of a collocated pressure; what is left of its error is that of these.
-pub(super) fn collocated_turning(
+pub(super) fn collocated_turning<F: Field>(
     base: &Base,
-    solved: &Solved<SincField>,
+    solved: &Solved<F>,
 ) -> Result<[f64; 2], Error> {
     let Some(kernel) = base.ground.turned_kernel()? else { return Err(unknown()) };
     let (nodes, half) = (&solved.nodes, solved.nodes.frame.hull.half);

@@ -14,7 +14,6 @@ use crate::{ContactKind, Error};
 use nodes::{Resolution, SincNodes};
 
 pub(super) use equation::{Collocation, Effort};
-pub(super) use nodes::SincField;
 
 impl Setting {
     /// The first-order change of a solution by the degenerate kernel, given its displacement `theta0 K p0` and the degree that its profile needs.
