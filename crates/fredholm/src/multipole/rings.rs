@@ -106,7 +106,7 @@ fn derivative(coefficients: &[f64; COUNT], q: f64) -> f64 {
     terms.fold(0.0, |sum, (k, c)| k as f64 * c + q * sum)
 }
 
-/// Rings about an axis: `pi int_0^inf J_m(x t) J_m(s t) dt` for densities times `s ds`, those of the radius `s` with `cos(m phi)`. Where they meet it is `ln(1/|x - s|)/s`; with the complete
+/// Rings about an axis: `pi int_0^inf J_m(x t) J_m(s t) dt` for densities times `s ds` and `cos(m phi)`. Where they meet it is `ln(1/|x - s|)/s`; with the complete
 /// elliptic integrals of `k^2 = 4 x s/(x + s)^2` it is `2 K/(x + s)` for `m = 0` and `2 ((2 - k^2) K - 2 E)/(k^2 (x + s))` for `m = 1`. On graded ground it is the kernel of [`WeberSonine`] times what makes it
 /// `|x - s|^-mu/s` where they meet.
 #[derive(Debug, Clone)]
