@@ -135,8 +135,12 @@ enum Way {
 impl Way {
     /// The ways that suit a base, in the order in which they are tried.
     fn of(base: &Base) -> Vec<Self> {
+        // Rings of a power take longer on panels than a dense system of all nodes that there may be.
+        let is_slow = base.ground.is_disk() && base.ground.exponent() > 0.0;
         if !base.has_panels() {
             vec![Self::Collocation(Effort::MOST)]
+        } else if is_slow && !base.is_for_panels() {
+            vec![Self::Collocation(Effort::MOST), Self::Panels]
         } else if base.is_for_panels() || !Collocation::new(base, Effort::LITTLE).is_quick() {
             // Waves on a disk have more digits by collocation, where that is to be had.
             let effort = if base.ground.is_disk() { Effort::MOST } else { Effort::LITTLE };
