@@ -149,7 +149,7 @@ impl<'p> NearEntries<'p> {
         if z.abs() >= rule.far {
             return Near::Plain;
         }
-        if let Some(radius) = self.panels.from_axis(panel) {
+        if let Some(radius) = self.panels.radius_from_axis(panel) {
             return Near::FromAxis(self.panels.nodes()[node] / radius);
         }
         if node / order == panel {

@@ -409,7 +409,7 @@ impl PanelField {
         let all = panel * order..(panel + 1) * order;
         let mut weights = [0.0; super::rule::MOST];
         let weights = &mut weights[..order];
-        if let Some(radius) = self.panels.from_axis(panel) {
+        if let Some(radius) = self.panels.radius_from_axis(panel) {
             rule.weights_from_axis(rings, x / radius, weights);
             let scale = radius.powf(1.0 - self.kernel.exponent());
             return scale * dot(weights, &self.values[all]);

@@ -72,7 +72,7 @@ impl Panels {
     }
 
     /// The radius of a panel that begins at the axis.
-    pub(super) fn from_axis(&self, panel: usize) -> Option<f64> {
+    pub(super) fn radius_from_axis(&self, panel: usize) -> Option<f64> {
         let [left, right] = self.bounds[panel];
         (self.are_rings && left == 0.0).then_some(right)
     }

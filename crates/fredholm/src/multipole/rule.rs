@@ -82,11 +82,11 @@ impl PanelRule {
         let mut moments = [0.0; MOST + 1];
         let moments = &mut moments[..order];
         kernel.moments(z, moments);
-        self.from_moments(moments, weights);
+        self.weights_of_moments(moments, weights);
     }
 
     /// The weights that give values the sum of their Legendre coefficients times these.
-    pub(super) fn from_moments(&self, moments: &[f64], weights: &mut [f64]) {
+    pub(super) fn weights_of_moments(&self, moments: &[f64], weights: &mut [f64]) {
         weights.fill(0.0);
         for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(self.order())) {
             weights.iter_mut().zip(row).for_each(|(w, a)| *w += moment * a);
@@ -130,7 +130,7 @@ impl PanelRule {
                 }
             }
         }
-        self.from_moments(&moments[..order], weights);
+        self.weights_of_moments(&moments[..order], weights);
     }
 
     /// The derivatives at the nodes of the polynomial through values there.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use shtaerman::{Errors, Geometry, MethodName};
+use shtaerman::{Contact, Errors, Geometry, MethodName};
 
 use crate::geometries::support::{assert_near, pressed, solve};
 
@@ -81,7 +81,7 @@ fn panels_agree_with_collocation() {
                 let [a, b] = [one, other].map(|contact| contact.elastic_displacement(xi));
                 assert_near(a, b, 1e-12 * (1.0 + theta));
             }
-            let [a, b] = [one, other].map(|contact| contact.stiffness());
+            let [a, b] = [one, other].map(Contact::stiffness);
             assert_near(b.force_settlement, a.force_settlement, 1e-9 * a.force_settlement);
             assert_near(b.moment_tilt, a.moment_tilt, 1e-9 * a.moment_tilt);
         }
