@@ -16,7 +16,7 @@ pub(crate) mod work {
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.
     pub(crate) const POWERS: f64 = 1.5;
-    /// So many times as much where panels are rings (survey: traces of 500 to 5000 points).
+    /// So many times as much where panels are rings, about: a trace of 2000 points on a nearly smooth disk was refused after 30 s without it.
     pub(crate) const ON_RINGS: f64 = 2.0;
     /// Of a system on cells for each cube: the definite way is tried before the general one, and memory is asked for anew.
     pub(crate) const CELLS: f64 = 5.4;

@@ -24,7 +24,7 @@ use crate::solver::AIM;
 const NODES_A_VALLEY: f64 = 12.0;
 /// Most nodes with which the dense equation is quicker than panels (survey: `benches/plausible/run.py 5511 60`).
 const QUICK: f64 = 350.0;
-/// The same on disks, where products take longer (survey: disks of `benches/plausible/run.py 9913 60`).
+/// The same on disks, where products take longer: one with 564 nodes takes 0.2 s, and on panels 0.5 (`benches/plausible/run.py 9913 1 --only 54`).
 const QUICK_ON_DISKS: f64 = 700.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything (one digit is the least that an answer has).
 const ALL_NOISE: f64 = 0.1;
