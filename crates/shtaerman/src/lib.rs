@@ -66,6 +66,7 @@ pub mod solver;
 pub mod stress;
 mod sweep;
 mod variation;
+mod warning;
 
 #[doc(inline)]
 pub use contact::Contact;

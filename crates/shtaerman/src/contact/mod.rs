@@ -47,6 +47,7 @@ mod valleys;
 mod warning;
 mod zones;
 
+pub use crate::warning::{Warning, WarningCode};
 pub(crate) use accuracy::Accuracy;
 pub use accuracy::ErrorKind;
 pub use audit::Audit;
@@ -58,6 +59,5 @@ pub(crate) use rates::{Linearised, Rates};
 pub use solved::Contact;
 pub use stiffness::Stiffness;
 pub use unaudited::Unaudited;
-pub use warning::{Warning, WarningCode};
 
 pub use crate::scaling::Scaling;

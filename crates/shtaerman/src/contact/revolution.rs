@@ -1,9 +1,9 @@
 //! Bases of circular punches are bodies of revolution.
 
 use super::accuracy::STAGNANT;
-use super::warning::Warning;
 use crate::error::require;
 use crate::quantity::{Dimension, engineering};
+use crate::warning::Warning;
 use crate::{Error, Problem, WarningCode};
 
 /// Refuses the base of a circular punch that is no body of revolution.

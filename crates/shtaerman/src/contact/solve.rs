@@ -10,10 +10,10 @@ use super::promise::{Reached, require_explained};
 use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
-use super::warning::Warning;
 use crate::quantity::OutputUnits;
 use crate::roughness::Law;
 use crate::solver::AIM;
+use crate::warning::Warning;
 use crate::{Error, Problem, Scaling};
 
 impl Problem {

@@ -16,9 +16,9 @@ use super::solution::Solution;
 use super::steps::rise;
 use super::stiffness::Stiffness;
 use super::unaudited::Unaudited;
-use super::warning::{Warning, WarningCode};
 use crate::extremes::{Extreme, Sampled};
 use crate::roughness::Law;
+use crate::warning::{Warning, WarningCode};
 use crate::{ContactKind, Error, Problem, Scaling};
 
 /// The answer: settlement, tilt, force, moment, zones and pressure of a contact.
