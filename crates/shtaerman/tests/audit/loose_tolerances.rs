@@ -57,6 +57,14 @@ fn small_fast_waves() {
     agree(FAST_WAVES, 1e-4);
 }
 
+/// A wave of 1e-5 of the pressure that 126 and 178 nodes miss alike.
+#[test]
+fn waves_that_two_numbers_of_nodes_miss() {
+    for tolerance in [1e-2, 1e-4, 1e-5, 1e-6, 1e-7] {
+        agree(MISSED_WAVE, tolerance);
+    }
+}
+
 /// Two resolutions agree where neither was solved any further than the one before.
 #[test]
 fn panels_that_are_hardly_solved() {
@@ -139,6 +147,14 @@ fn the_largest_pressure_beside_a_step() {
     let peak = solve(STEP, None).unwrap().peak_pressure();
     assert!((peak / 1_039_376.717 - 1.0).abs() < 1e-8, "{peak}");
 }
+
+const MISSED_WAVE: &str = r#"
+[dimensionless]
+theta0 = 0.10940433395456285
+profile = "1.0646758727945813*xi^2 + 1.1417799748418251e-05*cos(160.8960971824984*xi + 1.4415313502940736)"
+force = 1.4467355245459705
+moment = 0
+"#;
 
 const FAST_WAVES: &str = r#"[foundation]
 young_modulus = 2219637022.432342

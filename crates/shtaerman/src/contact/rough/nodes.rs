@@ -233,6 +233,11 @@ pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
         vec![None; places.len()]
     }
 
+    /// The pressure at places of the zones as the values at the nodes alone tell it, where the displacement is that of a function through these.
+    fn pressures(&self, _places: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
     /// Places on each panel, from -1 to 1, at which resolutions are compared.
     fn between() -> Vec<f64>;
 

@@ -80,19 +80,23 @@ impl Field for SincField {
     const RATIO: Option<f64> = Some(RATIO);
 
     fn at(&self, xi: f64) -> f64 {
-        let (Nodes { panels, frame, .. }, position) = (&*self.nodes, self.nodes.frame.local(xi));
-        let panel = panels.partition_point(|[_, right]| *right < xi);
-        match panels.get(panel).filter(|[left, _]| *left <= xi) {
-            Some([left, right]) => {
-                let [from_left, from_right] = [xi - left, right - xi].map(|d| d / frame.hull.half);
-                -self.solution.evaluate_place(Place { position, from_left, from_right, panel }, 0.0)
-            }
+        let position = self.nodes.frame.local(xi);
+        match self.place(xi) {
+            Some(place) => -self.solution.evaluate_place(place, 0.0),
             None => {
                 let kernel =
                     |t: &[f64], values: &mut [f64]| self.ground.values(position, t, values);
                 self.solution.parameter() * self.solution.integral_of(kernel)
             }
         }
+    }
+
+    fn pressures(&self, places: &[f64]) -> Option<Vec<f64>> {
+        // On disks densities are told by the measure `s ds`.
+        let is_disk = self.ground.is_disk();
+        let density = |place: Place| if is_disk { place.position } else { 1.0 };
+        let told = |place: Place| self.solution.density_at(place) / density(place);
+        places.iter().map(|xi| self.place(*xi).map(told)).collect()
     }
 
     fn between() -> Vec<f64> {
@@ -103,6 +107,17 @@ impl Field for SincField {
 
     fn turning(base: &Base, solved: &Solved<Self>) -> Result<[f64; 2], Error> {
         collocated_turning(base, solved)
+    }
+}
+
+impl SincField {
+    /// Where a place of the zones lies on its panel.
+    fn place(&self, xi: f64) -> Option<Place> {
+        let Nodes { panels, frame, .. } = &*self.nodes;
+        let panel = panels.partition_point(|[_, right]| *right < xi);
+        let [left, right] = panels.get(panel).filter(|[left, _]| *left <= xi)?;
+        let [from_left, from_right] = [xi - left, right - xi].map(|d| d / frame.hull.half);
+        Some(Place { position: frame.local(xi), from_left, from_right, panel })
     }
 }
 
