@@ -206,6 +206,8 @@ impl Audit<'_> {
                 self.problem.prescribed.moment.is_some(),
             ],
             noise: Cell::new(0.0),
+            before: Cell::new(f64::INFINITY),
+            ends: Cell::new([(f64::NAN, false); 2]),
         }
     }
 

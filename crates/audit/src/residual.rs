@@ -68,6 +68,10 @@ pub(crate) struct Residual<'a> {
     pub(crate) free: [bool; 2],
     /// What rounding was of the last window: remainders of the next need not be smaller.
     pub(crate) noise: Cell<f64>,
+    /// The largest residual of the last window in a zone.
+    pub(crate) before: Cell<f64>,
+    /// The ends of the last window, and whether it is open on which side of a jump they lie.
+    pub(crate) ends: Cell<[(f64, bool); 2]>,
 }
 
 impl Residual<'_> {
