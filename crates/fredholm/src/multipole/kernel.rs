@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use super::on_panel::OnPanel;
 use super::rings::Rings;
 use super::rule::logarithm_moments;
 use super::sums::SIDE_BY_SIDE;
@@ -72,10 +73,14 @@ impl PanelKernel {
 
     /// `dK/dx`, and zero at the place itself.
     pub(super) fn slope(&self, x: f64, s: f64) -> f64 {
-        let d = self.shortest(x - s);
+        self.slope_across(x, s, self.shortest(x - s))
+    }
+
+    /// The same given the difference of both places.
+    pub(super) fn slope_across(&self, x: f64, s: f64, d: f64) -> f64 {
         match *self {
             _ if d == 0.0 => 0.0,
-            Self::Ring(ref rings) => rings.slope(x, s),
+            Self::Ring(ref rings) => rings.slope_across(x, s, d),
             Self::Logarithm => -1.0 / d,
             Self::Sine => -FRAC_PI_2 / (FRAC_PI_2 * d).tan(),
             Self::Power { exponent } => -exponent * d.abs().powf(-exponent) / d,
@@ -172,14 +177,14 @@ impl PanelKernel {
         }
     }
 
-    /// `int_{-1}^{1} K(z - y) P_k(y) dy` without the remainder.
-    pub(super) fn moments(&self, z: f64, moments: &mut [f64]) {
+    /// `int_{-1}^{1} K(z - y) P_k(y) dy` at a place, without the remainder.
+    pub(super) fn moments(&self, place: OnPanel, moments: &mut [f64]) {
         match *self {
             Self::Ring(ref rings) if rings.exponent() > 0.0 => {
-                power_moments(rings.exponent(), z, moments);
+                power_moments(rings.exponent(), place, moments);
             }
-            Self::Logarithm | Self::Sine | Self::Ring(_) => logarithm_moments(z, moments),
-            Self::Power { exponent } => power_moments(exponent, z, moments),
+            Self::Logarithm | Self::Sine | Self::Ring(_) => logarithm_moments(place, moments),
+            Self::Power { exponent } => power_moments(exponent, place, moments),
         }
     }
 
@@ -235,14 +240,15 @@ fn mean_ratio(left: [f64; 2], right: [f64; 2]) -> f64 {
 /// `(k + 2 - mu) M_(k+1) = (2k+1) z M_k - (k - 1 + mu) M_(k-1)`, `k >= 1`,
 ///
 /// upwards between the ends and downwards beyond them, where the moments are the solution that decays.
-fn power_moments(exponent: f64, z: f64, moments: &mut [f64]) {
+fn power_moments(exponent: f64, place: OnPanel, moments: &mut [f64]) {
     let count = moments.len();
+    let (z, [outer, inner]) = (place.z, place.to_ends());
     let x = z.abs();
     let power = 1.0 - exponent;
     let signed = |d: f64| d.abs().powf(power).copysign(d);
-    let zeroth = (signed(1.0 + x) + signed(1.0 - x)) / power;
+    let zeroth = (signed(outer) + signed(inner)) / power;
     let even = |d: f64| d.abs().powf(power + 1.0);
-    let first = x * zeroth + (even(1.0 - x) - even(1.0 + x)) / (power + 1.0);
+    let first = x * zeroth + (even(inner) - even(outer)) / (power + 1.0);
     let mut all = [0.0; MOST + 1];
     if x < FORWARD {
         (all[0], all[1]) = (zeroth, first);
@@ -282,7 +288,7 @@ mod tests {
         for exponent in [0.05, 0.5, 0.9] {
             for z in [0.0, 0.3, -0.7, 0.999, 1.0, -1.0, 1.0001, 1.04, 1.06, -1.3, 2.0, -9.0] {
                 let mut found = [0.0; 13];
-                power_moments(exponent, z, &mut found);
+                power_moments(exponent, OnPanel::at(z), &mut found);
                 for (k, found) in found.iter().enumerate() {
                     let exact = by_quadrature(exponent, z, k);
                     let size = 2.0 / (1.0 - exponent);

@@ -9,6 +9,7 @@ mod groups;
 mod kernel;
 mod krylov;
 mod near;
+mod on_panel;
 mod operator;
 mod panels;
 mod rings;

@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use super::kernel::PanelKernel;
+use super::on_panel::OnPanel;
 use super::panels::Panels;
 
-/// Places lie in `[-1, 1]` and are rounded: a node lies where it would beside a panel of the same length, if it is off by no more than so many units of that, and of half a panel no more
-/// than what its polynomials lose anyway.
+/// A node lies where it would on its panel, or beside one of the same length, if that changes the potential of the panel by no more than so many units of the machine, and if it is off by no more of half a panel
+/// than what its polynomials lose anyway. All panels then see it at one place: the potentials of two that meet are smooth only together.
 const PLACED: f64 = 4.0 * f64::EPSILON;
 const FAINT: f64 = 1e-9;
 
@@ -25,10 +26,10 @@ enum Near {
     Plain,
     /// On the panel, or a multiple of its length beside it.
     Known { table: usize, row: usize },
-    /// At this place of the panel, from -1 to 1, or beside it.
-    At(f64),
-    /// At this multiple of the radius of a panel that begins at the axis.
-    FromAxis(f64),
+    /// At this place of the panel, or beside it.
+    At(OnPanel),
+    /// At this multiple of the radius of a panel that begins at the axis, and so far beyond it.
+    FromAxis([f64; 2]),
 }
 
 impl<'p> NearEntries<'p> {
@@ -115,8 +116,8 @@ impl<'p> NearEntries<'p> {
                 return;
             }
             Near::Known { table, row } => &self.tables[table][row * order..(row + 1) * order],
-            Near::At(z) => {
-                self.panels.rule.weights_at(self.kernel, z, &mut found[..order]);
+            Near::At(place) => {
+                self.panels.rule.weights_at(self.kernel, place, &mut found[..order]);
                 &found[..order]
             }
         };
@@ -145,22 +146,23 @@ impl<'p> NearEntries<'p> {
     fn near(&self, panel: usize, node: usize) -> Near {
         let (rule, order) = (&self.panels.rule, self.panels.order());
         let (row, middle) = (node % order, self.tables.len() / 2);
-        let z = self.panels.local(self.kernel, panel, self.panels.nodes()[node]);
+        let x = self.panels.nodes()[node];
+        let place = self.panels.local(self.kernel, panel, x);
+        let z = place.z;
         if z.abs() >= rule.far {
             return Near::Plain;
         }
         if let Some(radius) = self.panels.radius_from_axis(panel) {
-            return Near::FromAxis(self.panels.nodes()[node] / radius);
-        }
-        if node / order == panel {
-            return Near::Known { table: middle, row };
+            return Near::FromAxis([x, x - radius].map(|distance| distance / radius));
         }
         let (_, half) = self.panels.middle(panel);
         let lengths = (0.5 * (z - rule.nodes[row])).round();
-        let off = z - rule.nodes[row] - 2.0 * lengths;
+        let off = (z - rule.nodes[row] - 2.0 * lengths).abs();
         let table = middle as f64 + lengths;
-        let is_known = off.abs() <= (PLACED / half).min(FAINT)
-            && (0.0..self.tables.len() as f64).contains(&table);
-        if is_known { Near::Known { table: table as usize, row } } else { Near::At(z) }
+        // The potential of a panel goes with this power of its length.
+        let is_placed = || off * self.kernel.scale(half)[0] <= PLACED && off <= FAINT;
+        let is_known =
+            (0.0..self.tables.len() as f64).contains(&table) && (off <= PLACED || is_placed());
+        if is_known { Near::Known { table: table as usize, row } } else { Near::At(place) }
     }
 }

@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
+use super::on_panel::OnPanel;
 use super::panels::Panels;
 use super::rings::Rings;
 use super::sums::{Lanes, PlainSum};
@@ -13,6 +14,7 @@ use super::threads::{each, parts_of};
 use super::tree::{AtPoints, Tree, interpolate};
 use crate::Error;
 use crate::linear::{dot, vectorised};
+use crate::quadrature::{Node, gauss_power};
 
 /// Nodes of a leaf, about.
 const CROWD: usize = 12;
@@ -341,8 +343,8 @@ impl PanelField {
         values
     }
 
-    /// The slope of the potential at places in `[-1, 1]` where the function vanishes, each with the sum of the sizes of what is added up in it. The nodes alone integrate it: near such places panels have to get
-    /// shorter.
+    /// The slope of the potential at places in `[-1, 1]` where the function vanishes, each with the sum of the sizes of what is added up in it: near such places panels have to get shorter. A panel that ends there has a
+    /// rule for the power of the distance that it begins with, others are integrated by their nodes.
     #[must_use]
     pub fn slopes(&self, places: &[f64]) -> Vec<[f64; 2]> {
         if places.is_empty() {
@@ -350,20 +352,62 @@ impl PanelField {
         }
         let charges = &self.sources().charges;
         let levels = self.tree.gathered([charges]);
+        let order = self.panels.order();
+        let rule = gauss_power(order, -self.kernel.exponent()).unwrap_or_default();
         let slope_at = |x: &f64| {
+            let (x, ending) = (*x, self.panels.ending_at(*x));
             let mut sums = [0.0; 2];
             let mut add = |place: f64, charge: f64| {
-                let part = charge * self.kernel.slope(*x, place);
+                let part = charge * self.kernel.slope(x, place);
                 sums = [sums[0] + part, sums[1] + part.abs()];
             };
-            let leaf = self.tree.leaf(*x);
+            let leaf = self.tree.leaf(x);
             self.tree.far_of(leaf, &levels, &mut add);
-            for node in self.tree.near(leaf).into_iter().flatten() {
+            let is_ending = |panel: usize| ending.is_some_and(|(own, _)| own == panel);
+            let others = self.tree.near(leaf).into_iter().flatten();
+            for node in others.filter(|node| !is_ending(node / order)) {
                 add(self.panels.nodes()[node], charges[node]);
+            }
+            if let Some(end) = ending {
+                for part in self.slopes_from_end(x, end, &rule) {
+                    sums = [sums[0] + part, sums[1] + part.abs()];
+                }
             }
             sums
         };
         places.iter().map(slope_at).collect()
+    }
+
+    /// The parts of the slope at the end of a panel where the function vanishes, `int dK/dx (phi(s) - phi(x)) ds`: the factors are `d^(-1 - mu)` and `d` times what is smooth. What is left of the function at the end is
+    /// taken from this panel alone, and the end of the others, by parts, has `K` times as much.
+    fn slopes_from_end(
+        &self,
+        x: f64,
+        (panel, side): (usize, usize),
+        rule: &[Node],
+    ) -> impl Iterator<Item = f64> {
+        let order = self.panels.order();
+        let values = &self.values[panel * order..(panel + 1) * order];
+        let (other, (middle, half)) =
+            (self.panels.bounds[panel][1 - side], self.panels.middle(panel));
+        let value = move |share: f64| {
+            let y = ((x - middle) + share * (other - x)) / half;
+            self.panels.rule.interpolate(values, y)
+        };
+        let (left, length) = (value(0.0), other - x);
+        let around = |s: f64| if self.panels.are_rings { s } else { 1.0 };
+        let part = move |node: &Node| {
+            let distance = length * node.from_left;
+            let weight = length.abs() * node.weight * node.from_left.powf(self.kernel.exponent());
+            let slope = self.kernel.slope_across(x, x + distance, -distance);
+            weight * around(x + distance) * slope * (value(node.from_left) - left)
+        };
+        let at_other = match self.kernel.rings() {
+            Some(rings) => rings.value(x, other, -length),
+            None => self.kernel.value(length),
+        };
+        let joined = -length.signum() * around(other) * at_other * left;
+        rule.iter().map(part).chain([joined])
     }
 
     /// The potential of some nodes.
@@ -377,9 +421,9 @@ impl PanelField {
         for panel in nodes.start / order..nodes.end.div_ceil(order) {
             let all = panel * order..(panel + 1) * order;
             let (_, half) = self.panels.middle(panel);
-            let z = self.panels.local(&self.kernel, panel, x);
+            let local = self.panels.local(&self.kernel, panel, x);
             let places = self.panels.nodes();
-            if z.abs() >= self.panels.rule.far {
+            if local.z.abs() >= self.panels.rule.far {
                 let part = all.start.max(nodes.start)..all.end.min(nodes.end);
                 for (place, charge) in places[part.clone()].iter().zip(&charges[part]) {
                     plain.add((x, *place), *charge);
@@ -387,10 +431,10 @@ impl PanelField {
                 continue;
             }
             if let Some(rings) = self.kernel.rings() {
-                sum += self.of_rings(rings, (x, panel, z));
+                sum += self.of_rings(rings, (x, panel, local));
                 continue;
             }
-            self.kernel.moments(z, moments);
+            self.kernel.moments(local, moments);
             let c = &coefficients[all.clone()];
             let moment: f64 = moments.iter().zip(c).map(|(m, c)| m * c).sum();
             let [factor, level] = self.kernel.scale(half);
@@ -404,17 +448,21 @@ impl PanelField {
     }
 
     /// The potential of a panel of rings near to a place.
-    fn of_rings(&self, rings: &Rings, (x, panel, z): (f64, usize, f64)) -> f64 {
+    fn of_rings(&self, rings: &Rings, (x, panel, local): (f64, usize, OnPanel)) -> f64 {
         let (rule, order) = (&self.panels.rule, self.panels.order());
         let all = panel * order..(panel + 1) * order;
         let mut weights = [0.0; super::rule::MOST];
         let weights = &mut weights[..order];
         if let Some(radius) = self.panels.radius_from_axis(panel) {
-            rule.weights_from_axis(rings, x / radius, weights);
+            rule.weights_from_axis(
+                rings,
+                [x, x - radius].map(|distance| distance / radius),
+                weights,
+            );
             let scale = radius.powf(1.0 - self.kernel.exponent());
             return scale * dot(weights, &self.values[all]);
         }
-        rule.weights_at(&self.kernel, z, weights);
+        rule.weights_at(&self.kernel, local, weights);
         let (_, half) = self.panels.middle(panel);
         let [factor, level] = self.kernel.scale(half);
         let places = self.panels.nodes()[all.clone()].iter();

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::kernel::PanelKernel;
+use super::on_panel::OnPanel;
 use super::rule::{MOST, PanelRule};
 use super::threads::{each, parts_of};
 use crate::Error;
@@ -10,6 +11,9 @@ use crate::linear::vectorised;
 
 /// Multiplications for each node of a panel that a value between them takes, about: a quotient is worth several.
 const INTERPOLATION: usize = 8;
+
+/// A place that is this share of a panel from its end lies at it: where a contact ends is known to less than how the pressure goes there.
+const AT_END: f64 = 1.0 / 16.0;
 
 /// Disjoint panels of `[-1, 1]` from left to right, each with the same number of Gauss nodes, for functions that are a polynomial on each.
 #[derive(Debug, Clone)]
@@ -130,16 +134,24 @@ impl Panels {
         (0.5 * (left + right), 0.5 * (right - left))
     }
 
-    /// Where a place lies on a panel from `-1` to 1, or beside it, by the distance from the nearer end: on panels of some roundings of their places, that from the middle is none beside a
-    /// corner.
-    pub(super) fn local(&self, kernel: &PanelKernel, panel: usize, x: f64) -> f64 {
+    /// Where a place lies on a panel or beside it.
+    pub(super) fn local(&self, kernel: &PanelKernel, panel: usize, x: f64) -> OnPanel {
         let [left, right] = self.bounds[panel];
-        let (middle, half) = self.middle(panel);
-        if kernel.shortest(x - middle) < 0.0 {
-            kernel.shortest(x - left) / half - 1.0
-        } else {
-            kernel.shortest(x - right) / half + 1.0
-        }
+        let (_, half) = self.middle(panel);
+        OnPanel::new(kernel.shortest(x - left) / half, -kernel.shortest(x - right) / half)
+    }
+
+    /// The panel that ends at a place, where one does and no other begins, with the side of that end.
+    pub(super) fn ending_at(&self, x: f64) -> Option<(usize, usize)> {
+        let after = self.bounds.partition_point(|[left, right]| left + right < 2.0 * x);
+        let off = |(panel, side): (usize, usize)| {
+            let ends = self.bounds.get(panel)?;
+            Some((ends[side] - x).abs() / (ends[1] - ends[0]))
+        };
+        let sides = [after.checked_sub(1).map(|panel| (panel, 1)), Some((after, 0))];
+        let mut ending =
+            sides.into_iter().flatten().filter(|at| off(*at).is_some_and(|off| off <= AT_END));
+        ending.next().filter(|_| ending.next().is_none())
     }
 
     /// The panel that holds a place.
@@ -190,7 +202,7 @@ impl Panels {
     #[inline(always)]
     fn interpolate_on(&self, panel: usize, values: &[f64], x: f64) -> Option<f64> {
         self.bounds.get(panel).filter(|[left, right]| *left <= x && x <= *right)?;
-        let y = self.local(&PanelKernel::Logarithm, panel, x);
+        let y = self.local(&PanelKernel::Logarithm, panel, x).z;
         let values = values.get(panel * self.order()..(panel + 1) * self.order())?;
         Some(self.rule.interpolate(values, y))
     }

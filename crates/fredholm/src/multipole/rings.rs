@@ -214,20 +214,25 @@ impl Rings {
     /// The slope in `x` for different radii.
     #[must_use]
     pub fn slope(&self, x: f64, s: f64) -> f64 {
+        self.slope_across(x, s, x - s)
+    }
+
+    /// The same given the difference of both radii.
+    pub(super) fn slope_across(&self, x: f64, s: f64, difference: f64) -> f64 {
         if self.power.is_some() {
-            let step = STEP * (x - s).abs().min(x);
-            let at = |k: f64| self.value(x + k * step, s, x - s + k * step);
+            let step = STEP * difference.abs().min(x);
+            let at = |k: f64| self.value(x + k * step, s, difference + k * step);
             let differences = 8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0));
             return if step == 0.0 { 0.0 } else { differences / (12.0 * step) };
         }
         let Split { logarithm, plain } = self.split();
-        let [d, factor] = self.apart(x, s, x - s);
+        let [d, factor] = self.apart(x, s, difference);
         let (q, sum) = (d * d, x + s);
         // dq/dx = 4 s (x - s)/(x + s)^3, of which the pole of the logarithm leaves a part.
         let smooth = derivative(plain, q) - derivative(logarithm, q) * d.ln();
-        let by_square = smooth * 4.0 * s * (x - s) / sum.powi(3);
-        let by_pole = 2.0 * s * polynomial(logarithm, q) / ((x - s) * sum);
-        factor * (by_square - by_pole) - self.value(x, s, x - s) / sum
+        let by_square = smooth * 4.0 * s * difference / sum.powi(3);
+        let by_pole = 2.0 * s * polynomial(logarithm, q) / (difference * sum);
+        factor * (by_square - by_pole) - self.value(x, s, difference) / sum
     }
 
     /// The mean over two intervals, the first the same or left of the second, about: the logarithm by its exact mean, and the rest by rules of three and of two nodes.

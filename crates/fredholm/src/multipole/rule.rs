@@ -1,6 +1,7 @@
 //! Gauss nodes of a panel and the moments of the logarithm over it.
 
 use super::kernel::PanelKernel;
+use super::on_panel::OnPanel;
 use super::rings::Rings;
 use crate::Error;
 use crate::quadrature::{double_exponential, gauss_legendre};
@@ -71,17 +72,17 @@ impl PanelRule {
     pub(super) fn beside(&self, kernel: &PanelKernel, m: i32) -> Vec<f64> {
         let mut rows = vec![0.0; self.order() * self.order()];
         for (row, y) in rows.chunks_exact_mut(self.order()).zip(&self.nodes) {
-            self.weights_at(kernel, y + 2.0 * f64::from(m), row);
+            self.weights_at(kernel, OnPanel::at(y + 2.0 * f64::from(m)), row);
         }
         rows
     }
 
-    /// The weights of `int_{-1}^{1} K(z - y) phi(y) dy`, but for the remainder of the kernel, for values of a polynomial at the nodes.
-    pub(super) fn weights_at(&self, kernel: &PanelKernel, z: f64, weights: &mut [f64]) {
+    /// The weights of `int_{-1}^{1} K(z - y) phi(y) dy`, but for the remainder of the kernel, at a place for values of a polynomial at the nodes.
+    pub(super) fn weights_at(&self, kernel: &PanelKernel, place: OnPanel, weights: &mut [f64]) {
         let order = self.order();
         let mut moments = [0.0; MOST + 1];
         let moments = &mut moments[..order];
-        kernel.moments(z, moments);
+        kernel.moments(place, moments);
         self.weights_of_moments(moments, weights);
     }
 
@@ -93,15 +94,19 @@ impl PanelRule {
         }
     }
 
-    /// The weights of `int_0^1 G(x, s) phi(s) s ds` for values of a polynomial at the nodes, from the place in `[0, 1]` or beside it.
-    pub(super) fn weights_from_axis(&self, rings: &Rings, x: f64, weights: &mut [f64]) {
+    /// The weights of `int_0^1 G(x, s) phi(s) s ds` for values of a polynomial at the nodes, from a place in `[0, 1]` or beside it, given with its distance beyond 1.
+    pub(super) fn weights_from_axis(
+        &self,
+        rings: &Rings,
+        [x, beyond]: [f64; 2],
+        weights: &mut [f64],
+    ) {
         let order = self.order();
         let mut moments = [0.0; MOST];
         let cut = x.min(1.0);
         let power = 1.0 / (1.0 - rings.exponent());
         // From the place, or from the end before it, to both ends.
-        for to in [0.0, 1.0] {
-            let length = to - cut;
+        for length in [-cut, (-beyond).max(0.0)] {
             if length == 0.0 {
                 continue;
             }
@@ -110,7 +115,7 @@ impl PanelRule {
                 let u = 0.5 * node.from_left;
                 let share = u.powf(power);
                 let s = cut + length * share;
-                let difference = (x - cut) - length * share;
+                let difference = beyond.max(0.0) - length * share;
                 if difference == 0.0 || s <= 0.0 {
                     continue;
                 }
@@ -180,12 +185,13 @@ pub(super) const MOST: usize = 32;
 
 /// `I_k(z) = int_{-1}^{1} ln(1/|z - y|) P_k(y) dy = 2 (Q_(k-1)(z) - Q_(k+1)(z))/(2k+1)`, `k >= 1`, with Legendre's functions of the second kind (between -1 and 1 those
 /// on the cut), for `k` below the length.
-pub(super) fn logarithm_moments(z: f64, moments: &mut [f64]) {
+pub(super) fn logarithm_moments(place: OnPanel, moments: &mut [f64]) {
     let count = moments.len();
+    let (z, [outer, inner]) = (place.z, place.to_ends());
     let x = z.abs();
     let term = |d: f64| if d == 0.0 { 0.0 } else { d * d.abs().ln() };
-    moments[0] = 2.0 - term(1.0 + x) - term(1.0 - x);
-    if x == 1.0 {
+    moments[0] = 2.0 - term(outer) - term(inner);
+    if inner == 0.0 {
         // Q_(k-1) - Q_(k+1) -> (2k+1)/(k(k+1))
         for (k, moment) in moments.iter_mut().enumerate().skip(1) {
             *moment = 2.0 / (k * (k + 1)) as f64;
@@ -194,7 +200,7 @@ pub(super) fn logarithm_moments(z: f64, moments: &mut [f64]) {
         let mut functions = [0.0; MOST + 2];
         let functions = &mut functions[..=count];
         if x < FORWARD {
-            upwards(x, functions);
+            upwards(x, outer / inner, functions);
         } else {
             downwards(x, functions);
         }
@@ -225,9 +231,9 @@ const fn coefficients<const COUNT: usize>(shift: usize) -> [[f64; 2]; COUNT] {
     found
 }
 
-/// `Q_k(x)` by the recurrence in its own direction, stable up to about 1.
-fn upwards(x: f64, functions: &mut [f64]) {
-    functions[0] = 0.5 * ((1.0 + x) / (1.0 - x)).abs().ln();
+/// `Q_k(x)`, by the recurrence in its own direction, stable up to about 1, given `(1 + x)/(1 - x)`.
+fn upwards(x: f64, ratio: f64, functions: &mut [f64]) {
+    functions[0] = 0.5 * ratio.abs().ln();
     functions[1] = x * functions[0] - 1.0;
     for k in 1..functions.len() - 1 {
         let [here, before] = UPWARDS[k];
@@ -263,7 +269,7 @@ mod tests {
             let rule = PanelRule::new(order).unwrap();
             let mut weights = vec![0.0; order];
             for x in [0.0, 1e-9, 0.02, 0.3, 0.77, 0.999, 1.0, 1.001, 1.3, 1.7] {
-                rule.weights_from_axis(&rings(0, 0.0), x, &mut weights);
+                rule.weights_from_axis(&rings(0, 0.0), [x, x - 1.0], &mut weights);
                 let found: f64 = weights.iter().sum();
                 let exact = uniform(x);
                 assert!((found - exact).abs() < 4e-15, "{order} {x}: {found} {exact}");
@@ -275,7 +281,7 @@ mod tests {
     fn moments_agree_with_quadrature() {
         for z in [0.0, 0.3, -0.7, 0.999, 1.0, -1.0, 1.0001, 1.04, 1.06, -1.3, 2.0, -9.0] {
             let mut found = [0.0; 13];
-            logarithm_moments(z, &mut found);
+            logarithm_moments(OnPanel::at(z), &mut found);
             for (k, found) in found.iter().enumerate() {
                 let legendre = |y: f64| {
                     let (mut before, mut here) = (0.0, 1.0);

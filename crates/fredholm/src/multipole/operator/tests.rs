@@ -134,6 +134,54 @@ fn potentials_at_the_end_of_the_shortest_panels_are_exact() {
     }
 }
 
+/// Panels that meet at a place, on either side ever shorter towards it, down to some roundings of places.
+fn closing_in(on: [f64; 2], place: f64) -> Vec<[f64; 2]> {
+    let mut ends = Vec::new();
+    for (from, side) in [(on[0], -1.0), (on[1], 1.0)] {
+        let reach = (from - place).abs();
+        let beside = (0..45).map(|i| place + side * reach.min(0.04) * 0.5f64.powi(i));
+        let far = (1..).map(|i| place + side * 0.04 * f64::from(i));
+        ends.extend(beside.chain(far.take_while(|end| (end - place).abs() < reach)));
+        ends.extend([from, place]);
+    }
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}
+
+#[test]
+fn potentials_are_smooth_where_panels_meet() {
+    // phi = 1: each panel gives d^(1 - mu) of the distance d from its end, which those of both take from each other.
+    let power = 0.2;
+    let exact = |x: f64| ((1.0 + x).powf(power) + (1.0 - x).powf(power)) / power;
+    let bounds = closing_in([-1.0, 1.0], 0.3);
+    let panels = Panels::new(bounds.clone(), 8).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Power { exponent: 0.8 }, panels).unwrap();
+    let ones = vec![1.0; operator.panels().count()];
+    // The places of nodes are rounded.
+    let rounding = |x: f64| f64::EPSILON * (60.0 + 2.0 * (x - 0.3).abs().powf(-0.8));
+    for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&ones)) {
+        let error = (found - exact(*x)).abs();
+        assert!(error < rounding(*x), "{x}: {error:e} for {:e}", rounding(*x));
+    }
+    let field = operator.field(&ones);
+    let beside = |x: f64| [x, x.next_up(), x.next_down(), x + 3e-14, x - 1e-11, x + 1e-8];
+    for x in bounds.iter().skip(1).flat_map(|[left, _]| beside(*left)) {
+        assert!((field.at(x) - exact(x)).abs() < rounding(x), "{x}: {:e}", field.at(x) - exact(x));
+    }
+    // Rings, from the axis on, against the place where two meet itself.
+    let bounds = rings(0.4);
+    let panels = Panels::about_axis(bounds.clone(), 10).unwrap();
+    let operator = PanelOperator::new(ring(0, 0.45), panels).unwrap();
+    let field = operator.field(&vec![1.0; operator.panels().count()]);
+    for [left, _] in &bounds[1..] {
+        for x in [left.next_up(), left.next_down(), left + 1e-14, left - 1e-13] {
+            let change = field.at(x) / field.at(*left) - 1.0;
+            assert!(change.abs() < 1e-12, "{x}: {change:e}");
+        }
+    }
+}
+
 #[test]
 fn products_with_powers_agree_with_those_in_closed_form() {
     for exponent in [0.05, 0.5, 0.8] {
@@ -206,15 +254,30 @@ fn slopes_at_ends_where_a_function_vanishes_are_exact() {
         assert!((found - exact).abs() < 1e-13 && (size - exact.abs()) < 1e-3, "{found} {exact}");
     }
     assert!(field.slopes(&[]).is_empty());
-    // The sum over all nodes, in the gaps of uneven panels and at their ends.
+    // By powers, int mu t^(-mu) (l - t) dt over the length l.
+    for exponent in [0.2, 0.8] {
+        let bounds = [[a, -0.85], [-0.85, -0.8]];
+        let panels = Panels::new(bounds.to_vec(), 6).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Power { exponent }, panels).unwrap();
+        let values: Vec<f64> =
+            operator.panels().nodes().iter().map(|s| (s - a) * (-0.8 - s)).collect();
+        let exact = exponent * 0.1f64.powf(2.0 - exponent) / ((1.0 - exponent) * (2.0 - exponent));
+        for ([found, _], exact) in
+            operator.field(&values).slopes(&[a, -0.8]).into_iter().zip([exact, -exact])
+        {
+            // The nodes of the panel beside are not in its rule.
+            assert!((found / exact - 1.0).abs() < 1e-8, "{exponent}: {found} {exact}");
+        }
+    }
+    // The sum over all nodes, in the gaps of uneven panels.
     for kernel in [PanelKernel::Logarithm, PanelKernel::Sine, PanelKernel::Power { exponent: 0.4 }]
     {
         let operator =
             PanelOperator::new(kernel.clone(), Panels::new(uneven(8), 6).unwrap()).unwrap();
         let (panels, turn) = (operator.panels(), 0.5 * std::f64::consts::PI);
         let values: Vec<f64> = panels.nodes().iter().map(|x| (5.0 * x).cos()).collect();
-        let places: Vec<f64> =
-            panels.bounds().windows(2).map(|pair| 0.7 * pair[0][1] + 0.3 * pair[1][0]).collect();
+        let gaps = panels.bounds().windows(2).filter(|pair| pair[0][1] < pair[1][0]);
+        let places: Vec<f64> = gaps.map(|pair| 0.7 * pair[0][1] + 0.3 * pair[1][0]).collect();
         for (x, [found, size]) in places.iter().zip(operator.field(&values).slopes(&places)) {
             let parts =
                 panels.nodes().iter().zip(panels.weights()).zip(&values).map(|((s, w), v)| {

@@ -33,6 +33,9 @@ struct Edge {
     noise: f64,
 }
 
+/// The length of a zone, one of its sides, where it ends there and where its panels do.
+type FreeEnd = (f64, usize, f64, f64);
+
 /// A resolution of a solution.
 pub(super) struct Known<'k, F> {
     pub(super) frame: Frame,
@@ -103,7 +106,7 @@ impl<F: Field> Known<'_, F> {
             off.powf(-exponent) * (rounding + SAFETY * SAFETY * layer)
         };
         let of_layer = solved.strength * solved.layer.slope(solved.deepest());
-        let edge = |((length, side, at), [body, added]): ((f64, usize, f64), [f64; 2])| {
+        let edge = |((length, side, at, end), [body, added]): (FreeEnd, [f64; 2])| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
             let size = tilt.abs() + profile.abs() + added;
             let slope = -tilt - profile - body;
@@ -111,14 +114,18 @@ impl<F: Field> Known<'_, F> {
             // In a short zone it changes with the place itself.
             let bent = SAFETY * off / length * slope.abs();
             let noise = ROUNDING * size + of_layer * left(slope) + bent;
-            Edge { layer: self.layer(at), slope, noise }
+            Edge { layer: self.layer(end), slope, noise }
         };
+        // What the layer answers ends with its panels, beside which it changes as a power of the distance.
         let of_zone = |zone: &Zone| {
-            let length = zone.length();
-            zone.free_ends().map(move |(side, at)| (length, side, at))
+            let (length, own) = (zone.length(), solved.nodes.panels_of(zone));
+            let panels = [own.start, own.end.saturating_sub(1)].map(|k| solved.nodes.panels.get(k));
+            zone.free_ends().map(move |(side, at)| {
+                (length, side, at, panels[side].map_or(at, |ends| ends[side]))
+            })
         };
-        let ends: Vec<(f64, usize, f64)> = zones.iter().flat_map(of_zone).collect();
-        let slopes = solved.slopes(&ends.iter().map(|(_, _, at)| *at).collect::<Vec<_>>());
+        let ends: Vec<FreeEnd> = zones.iter().flat_map(of_zone).collect();
+        let slopes = solved.slopes(&ends.iter().map(|(_, _, at, _)| *at).collect::<Vec<_>>());
         ends.into_iter().zip(slopes).map(edge).collect()
     }
 }
