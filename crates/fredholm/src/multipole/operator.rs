@@ -378,8 +378,7 @@ impl PanelField {
         places.iter().map(slope_at).collect()
     }
 
-    /// The parts of the slope at the end of a panel where the function vanishes, `int dK/dx (phi(s) - phi(x)) ds`: the factors are `d^(-1 - mu)` and `d` times what is smooth. What is left of the function at the end is
-    /// taken from this panel alone, and the end of the others, by parts, has `K` times as much.
+    /// The parts of the slope at the end of a panel where the function vanishes: `int dK/dx phi ds`, whose factors are `d^(-1 - mu)` and `d` times what is smooth.
     fn slopes_from_end(
         &self,
         x: f64,
@@ -387,27 +386,19 @@ impl PanelField {
         rule: &[Node],
     ) -> impl Iterator<Item = f64> {
         let order = self.panels.order();
-        let values = &self.values[panel * order..(panel + 1) * order];
-        let (other, (middle, half)) =
-            (self.panels.bounds[panel][1 - side], self.panels.middle(panel));
-        let value = move |share: f64| {
-            let y = ((x - middle) + share * (other - x)) / half;
-            self.panels.rule.interpolate(values, y)
-        };
-        let (left, length) = (value(0.0), other - x);
-        let around = |s: f64| if self.panels.are_rings { s } else { 1.0 };
-        let part = move |node: &Node| {
+        let own = panel * order..(panel + 1) * order;
+        let of_nodes = self.panels.nodes()[own.clone()].iter().zip(&self.values[own]);
+        let falls: Vec<f64> = of_nodes.map(|(s, value)| value / (s - x)).collect();
+        let (length, (middle, half)) =
+            (self.panels.bounds[panel][1 - side] - x, self.panels.middle(panel));
+        rule.iter().map(move |node| {
             let distance = length * node.from_left;
+            let s = x + distance;
+            let around = if self.panels.are_rings { s } else { 1.0 };
             let weight = length.abs() * node.weight * node.from_left.powf(self.kernel.exponent());
-            let slope = self.kernel.slope_across(x, x + distance, -distance);
-            weight * around(x + distance) * slope * (value(node.from_left) - left)
-        };
-        let at_other = match self.kernel.rings() {
-            Some(rings) => rings.value(x, other, -length),
-            None => self.kernel.value(length),
-        };
-        let joined = -length.signum() * around(other) * at_other * left;
-        rule.iter().map(part).chain([joined])
+            let fall = self.panels.rule.interpolate(&falls, ((x - middle) + distance) / half);
+            weight * around * self.kernel.slope_across(x, s, -distance) * fall * distance
+        })
     }
 
     /// The potential of some nodes.
