@@ -7,6 +7,7 @@ mod crests;
 mod disk;
 mod disk_panels;
 mod graded;
+mod graded_panels;
 mod influence;
 mod layered;
 mod layered_audit;
