@@ -245,10 +245,9 @@ fn power_moments(exponent: f64, place: OnPanel, moments: &mut [f64]) {
     let (z, [outer, inner]) = (place.z, place.to_ends());
     let x = z.abs();
     let power = 1.0 - exponent;
-    let signed = |d: f64| d.abs().powf(power).copysign(d);
-    let zeroth = (signed(outer) + signed(inner)) / power;
-    let even = |d: f64| d.abs().powf(power + 1.0);
-    let first = x * zeroth + (even(inner) - even(outer)) / (power + 1.0);
+    let [far, near] = [outer, inner].map(|d| d.abs().powf(power).copysign(d));
+    let zeroth = (far + near) / power;
+    let first = x * zeroth + (near * inner - far * outer) / (power + 1.0);
     let mut all = [0.0; MOST + 1];
     if x < FORWARD {
         (all[0], all[1]) = (zeroth, first);

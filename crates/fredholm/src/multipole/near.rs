@@ -17,6 +17,8 @@ pub(super) struct NearEntries<'p> {
     panels: &'p Panels,
     /// The weights of a panel for the nodes of those that are `-most` to `most` of its lengths away, its own ones in the middle.
     tables: Vec<Vec<f64>>,
+    /// The factor of the moments on each panel, and what is added to the kernel there.
+    scales: Vec<[f64; 2]>,
 }
 
 /// A panel near to a node.
@@ -36,7 +38,9 @@ impl<'p> NearEntries<'p> {
     pub(super) fn new(kernel: &'p PanelKernel, panels: &'p Panels) -> Self {
         let most = (0.5 * (panels.rule.far + 1.0)).ceil() as i32;
         let tables = (-most..=most).map(|m| panels.rule.beside(kernel, m)).collect();
-        Self { kernel, panels, tables }
+        let halves = (0..panels.bounds().len()).map(|panel| panels.middle(panel).1);
+        let scales = halves.map(|half| kernel.scale(half)).collect();
+        Self { kernel, panels, tables, scales }
     }
 
     /// The rows of nodes for those in `near`, one after the other.
@@ -121,8 +125,7 @@ impl<'p> NearEntries<'p> {
                 &found[..order]
             }
         };
-        let (_, half) = self.panels.middle(panel);
-        let [factor, level] = self.kernel.scale(half);
+        let [factor, level] = self.scales[panel];
         let exact = &exact[inside.start - panel * order..inside.end - panel * order];
         for (((entry, exact), weight), place) in
             entries.iter_mut().zip(exact).zip(weights).zip(places)
@@ -155,12 +158,11 @@ impl<'p> NearEntries<'p> {
         if let Some(radius) = self.panels.radius_from_axis(panel) {
             return Near::FromAxis([x, x - radius].map(|distance| distance / radius));
         }
-        let (_, half) = self.panels.middle(panel);
         let lengths = (0.5 * (z - rule.nodes[row])).round();
         let off = (z - rule.nodes[row] - 2.0 * lengths).abs();
         let table = middle as f64 + lengths;
         // The potential of a panel goes with this power of its length.
-        let is_placed = || off * self.kernel.scale(half)[0] <= PLACED && off <= FAINT;
+        let is_placed = || off * self.scales[panel][0] <= PLACED && off <= FAINT;
         let is_known =
             (0.0..self.tables.len() as f64).contains(&table) && (off <= PLACED || is_placed());
         if is_known { Near::Known { table: table as usize, row } } else { Near::At(place) }
