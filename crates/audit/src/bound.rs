@@ -34,6 +34,8 @@ const PEAKED: f64 = 8.0;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
 const NO_SMALL_SHARE: f64 = 1e-2;
 const MOST_OF_IT: f64 = 0.3;
+/// Places of that window where penetration is looked for, in shares of it.
+const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.0, 1.0];
 
 /// Bounds the errors of an answer.
 ///
@@ -291,12 +293,23 @@ impl Audit<'_> {
         }
     }
 
-    /// Where the base penetrates most, if that makes the bound what it is and no small one.
+    /// Where the base penetrates, in the window where it may do so most, if that makes the bound what it is and no small one.
     fn penetration(&self, windows: &Windows<'_>, found: &Errors) -> Option<f64> {
         let is_small = found.pressure() <= NO_SMALL_SHARE * self.density.largest();
         let worst = windows.gaps.iter().max_by(|a, b| a.norm.total_cmp(&b.norm))?;
         let is_cause = worst.norm >= MOST_OF_IT * found.distance.residual;
-        (!is_small && is_cause).then_some(0.5 * (worst.left + worst.right))
+        if is_small || !is_cause {
+            return None;
+        }
+        // Where a formula leaves open on which side of a jump places lie, nothing is known to penetrate.
+        let residual = self.residual();
+        let penetrates = |x: &f64| {
+            let (w, error) = residual.at(*x);
+            w + error < 0.0
+        };
+        let length = worst.right - worst.left;
+        let places = SHARES.map(|share| worst.left + share * length);
+        places.into_iter().find(penetrates)
     }
 
     /// The interval of the zones and of the windows beside them where the residual is at most `margin`.

@@ -240,3 +240,20 @@ fn mirror_images_reach_their_aim() {
         assert!(reached <= 1e-12 * (theta0 / 10.0), "{theta0} {force}: {reached:e} {stated:?}");
     }
 }
+
+/// At the crest of `floor(4 abs(cos(..)))` rounding leaves open whether the base is higher there, which it is at a point at most: the audit knows nothing, and says of no base that it penetrates.
+#[test]
+fn a_jump_that_is_left_open_does_not_penetrate() {
+    let solved = |base: &str| {
+        let toml = format!(
+            "[dimensionless]\ntheta0 = 40\nprofile = \"20*({base} - 0.001*xi^2)\"\nforce = 0.5\nmoment = 0\n"
+        );
+        shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap()
+    };
+    let known = solved("min(3, floor(4*abs(cos(10/3*xi))))").audited().unwrap();
+    let open = solved("floor(4*abs(cos(10/3*xi)))");
+    let off = (open.settlement() - known.settlement()).abs();
+    assert!(off <= known.dimensionless().error().unwrap().settlement + 1e-12, "{off:e}");
+    let refused = open.audited().unwrap_err();
+    assert!(matches!(refused, shtaerman::Error::NotAccurate { .. }), "{refused}");
+}
