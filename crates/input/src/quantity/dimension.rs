@@ -155,9 +155,9 @@ const NAMED: &[Named] = &[
     named(Dimension::FORCE_PER_LENGTH, "a force per length", "N/m", "\"1 MN/m\""),
     named(
         Dimension::MOMENT_PER_LENGTH,
-        "a moment per length, or a force",
+        "a force or a moment per length",
         "N m/m",
-        "\"100 N m/m\"",
+        "\"100 N\" or \"100 N m/m\"",
     ),
     named(Dimension::MOMENT, "a moment", "N m", "\"100 N m\""),
     named(Dimension::MASS, "a mass", "kg", "\"2 kg\""),

@@ -16,6 +16,13 @@ fn values_out_of_range() {
         (PHYSICAL, "\"5 mm\"", "0", "punch.toml:7: punch.half_width", "greater than zero"),
         (
             PHYSICAL,
+            "half_width = \"5 mm\"",
+            "geometry = \"circular\"\nradius = \"-5 mm\"",
+            "punch.toml:8: punch.radius",
+            "punch.radius: is -5 mm: must be finite and greater than zero",
+        ),
+        (
+            PHYSICAL,
             "\"200 GPa\"",
             "\"-200 GPa\"",
             "punch.toml:2: foundation.young_modulus",
@@ -251,7 +258,7 @@ fn units() {
             "\"200 GPa\"",
             "\"200 N\"",
             "punch.toml:2: foundation.young_modulus",
-            "or a force",
+            "got N, a force or a moment per length",
         ),
         (
             PHYSICAL,
@@ -292,7 +299,13 @@ fn units() {
         ),
         (PHYSICAL, "\"5 mm\"", "true", "punch.toml:7: punch.half_width", "got"),
         (DIMENSIONLESS, "13.0", "\"13 m\"", "punch.toml:2: dimensionless.theta0", "is a number"),
-        (DIMENSIONLESS, "1.7", "\"1.7 N\"", "punch.toml:4: dimensionless.force", "or a force"),
+        (
+            DIMENSIONLESS,
+            "1.7",
+            "\"1.7 N\"",
+            "punch.toml:4: dimensionless.force",
+            "got N, a force or a moment per length",
+        ),
     ]);
 }
 

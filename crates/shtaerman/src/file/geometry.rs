@@ -2,7 +2,7 @@
 
 use crate::Geometry;
 use crate::document::{Field, FileError, TableReader};
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, engineering};
 
 /// The geometry with its (outer) half-width or radius, and the field of that.
 pub(super) fn read_physical<'d>(
@@ -10,7 +10,12 @@ pub(super) fn read_physical<'d>(
 ) -> Result<(Geometry, f64, Field<'d>), FileError> {
     let length = |name: &str| -> Result<(f64, Field<'d>), FileError> {
         let field = punch.required(name)?;
-        Ok((field.quantity(Dimension::LENGTH)?, field))
+        let length = field.quantity(Dimension::LENGTH)?;
+        if length > 0.0 && length.is_finite() {
+            return Ok((length, field));
+        }
+        let length = engineering(length, Dimension::LENGTH);
+        Err(field.error(format!("is {length}: must be finite and greater than zero")))
     };
     Ok(match name(punch)? {
         "pair" => {
