@@ -56,6 +56,7 @@ pub(super) fn refined<F: Field>(
     }
     levels.truncate(best + 1);
     let mut found = levels.remove(best);
+    found.stated = found.with_missed_waves(base);
     let told = if is_far { 1 } else { 2 };
     found.coarser = levels.split_off(best.saturating_sub(told));
     Ok(found)
