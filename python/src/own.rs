@@ -1,6 +1,6 @@
 //! Equations on kernels of one's own, given by callables of Python.
 
-use std::cell::RefCell;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fredholm::Interval;
 use fredholm::conformance::{Report, check_kernel};
@@ -18,38 +18,43 @@ use crate::errors::raised;
 
 /// The first exception of callables; everything asked after it is NaN, so that the solver ends.
 #[derive(Default)]
-struct Fault(RefCell<Option<PyErr>>);
+struct Fault(Mutex<Option<PyErr>>);
 
 impl Fault {
+    fn first(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The exception of a callable where there was one: an error of the solver only follows from it.
     fn or(&self, error: &Error) -> PyErr {
-        self.0.borrow_mut().take().unwrap_or_else(|| raised(error))
+        self.first().take().unwrap_or_else(|| raised(error))
     }
 
     /// What was found, unless a callable failed on the way.
     fn check<T>(&self, found: Result<T, Error>) -> PyResult<T> {
         let found = found.map_err(|error| self.or(&error))?;
-        self.0.borrow_mut().take().map_or(Ok(found), Err)
+        self.first().take().map_or(Ok(found), Err)
     }
 
     /// What a callable gives, read by `read`; `wanted` and `place` are for messages.
-    fn call<'py, T>(
+    fn call<T>(
         &self,
-        function: &Bound<'py, PyAny>,
-        arguments: impl PyCallArgs<'py>,
-        read: impl Fn(&Bound<'py, PyAny>) -> Option<T>,
+        function: &Py<PyAny>,
+        arguments: impl for<'py> PyCallArgs<'py>,
+        read: impl Fn(&Bound<'_, PyAny>) -> Option<T>,
         (wanted, place): (&str, &dyn Fn() -> String),
     ) -> Option<T> {
-        if self.0.borrow().is_some() {
+        if self.first().is_some() {
             return None;
         }
-        let found = function.call1(arguments).and_then(|found| {
+        let found = Python::attach(|py| {
+            let found = function.bind(py).call1(arguments)?;
             read(&found).ok_or_else(|| {
                 let given = found.repr().map_or(String::new(), |given| given.to_string());
                 PyValueError::new_err(format!("{wanted}, got {given} at {}", place()))
             })
         });
-        found.map_err(|error| self.0.replace(Some(error))).ok()
+        found.map_err(|error| self.first().replace(error)).ok()
     }
 }
 
@@ -85,15 +90,15 @@ enum Stated {
     Power(f64),
 }
 
-struct Own<'f, 'py> {
-    function: &'f Bound<'py, PyAny>,
+struct Own<'f> {
+    function: &'f Py<PyAny>,
     fault: &'f Fault,
     interval: Interval,
     stated: Stated,
     is_even: bool,
 }
 
-impl Kernel for Own<'_, '_> {
+impl Kernel for Own<'_> {
     fn interval(&self) -> Interval {
         self.interval
     }
@@ -169,19 +174,19 @@ fn formula(text: &str) -> PyResult<Expression> {
 #[pyfunction]
 #[allow(clippy::too_many_arguments, reason = "what an equation is made of")]
 pub(crate) fn solve_own<'py>(
-    kernel: &Bound<'py, PyAny>,
+    kernel: Py<PyAny>,
     singularity: Option<f64>,
     interval: [f64; 2],
     is_even: bool,
     parameter: f64,
-    right_hand_side: &Bound<'py, PyAny>,
+    right_hand_side: Bound<'py, PyAny>,
     tolerance: Option<f64>,
     points: usize,
     at: Option<PyReadonlyArray1<'py, f64>>,
 ) -> PyResult<String> {
     let fault = Fault::default();
     let own = Own {
-        function: kernel,
+        function: &kernel,
         fault: &fault,
         interval: Interval::new(interval[0], interval[1]).map_err(|error| raised(&error.into()))?,
         stated: match singularity {
@@ -192,11 +197,13 @@ pub(crate) fn solve_own<'py>(
         is_even,
     };
     require_kernel(&fault.check(check_kernel(&own).map_err(Error::from))?)?;
-    let rhs = match right_hand_side.extract::<String>() {
+    let text = right_hand_side.extract::<String>();
+    let right_hand_side = right_hand_side.unbind();
+    let rhs = match text {
         Ok(text) => RightHandSide::formula(formula(&text)?),
         Err(_) => RightHandSide::function(|x: f64| {
             let described = ("rhs: must give one finite number", &(|| format!("x = {x}")) as _);
-            fault.call(right_hand_side, (x,), number, described).unwrap_or(f64::NAN)
+            fault.call(&right_hand_side, (x,), number, described).unwrap_or(f64::NAN)
         }),
     };
     let solved = fault.check(solve(&own, parameter, &rhs, tolerance))?;

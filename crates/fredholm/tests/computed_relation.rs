@@ -23,7 +23,7 @@ impl<F: Fn(f64, f64) -> f64> Smooth<F> {
     }
 }
 
-impl<F: Fn(f64, f64) -> f64> Kernel for Smooth<F> {
+impl<F: Fn(f64, f64) -> f64 + Send + Sync> Kernel for Smooth<F> {
     fn interval(&self) -> Interval {
         self.interval
     }

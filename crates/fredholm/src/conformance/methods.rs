@@ -62,7 +62,7 @@ pub fn compare(
     kernel: &dyn Kernel,
     relation: &dyn SpectralRelation,
     parameter: f64,
-    f: &dyn Fn(f64) -> f64,
+    f: &(dyn Fn(f64) -> f64 + Sync),
     degree: usize,
 ) -> Result<Comparison, Error> {
     let sinc = collocate(kernel, parameter, f, &[], TOLERANCE)?;

@@ -39,7 +39,7 @@ impl<'k, K: SpectralRelation + ?Sized> DegenerateSolution<'k, K> {
 
     /// The function `f - phi` for many points.
     #[must_use]
-    pub fn prepared_correction(&self) -> Box<dyn Fn(f64) -> f64 + 'k> {
+    pub fn prepared_correction(&self) -> Box<dyn Fn(f64) -> f64 + Send + Sync + 'k> {
         self.kernel.combination(&self.correction)
     }
 

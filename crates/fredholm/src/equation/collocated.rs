@@ -17,7 +17,7 @@ use crate::kernel::Kernel;
 pub fn collocate<'a>(
     kernel: &dyn Kernel,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     breakpoints: &[f64],
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {
@@ -32,7 +32,7 @@ pub fn collocate<'a>(
 pub fn collocate_in_parts<'a>(
     kernel: &dyn Kernel,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     places: [&[f64]; 2],
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {

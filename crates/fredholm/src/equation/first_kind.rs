@@ -167,7 +167,7 @@ fn noise(relation: &dyn SpectralRelation, count: usize, points: &[f64]) -> Noise
 fn weighted<'a>(
     relation: &'a dyn SpectralRelation,
     density: &[f64],
-) -> Box<dyn Fn(f64) -> f64 + 'a> {
+) -> Box<dyn Fn(f64) -> f64 + Send + Sync + 'a> {
     if relation.parity() == Parity::None {
         let sum = relation.combination(density);
         return Box::new(move |x| relation.weight(0, x) * sum(x));

@@ -17,7 +17,7 @@ const CHECKS: usize = 257;
 pub fn collocate_half_line<'a>(
     kernel: &MacdonaldHalfLine,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     reach: f64,
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {
@@ -32,7 +32,7 @@ pub fn collocate_half_line<'a>(
 pub fn collocate_half_line_in_parts<'a>(
     kernel: &MacdonaldHalfLine,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     cuts: &[f64],
     [reach, tolerance]: [f64; 2],
 ) -> Result<Solution<'a>, Error> {

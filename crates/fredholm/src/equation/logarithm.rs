@@ -23,7 +23,7 @@ const SEEN: f64 = 1e-12;
 pub fn degenerate_logarithm<'a>(
     kernel: &Logarithm,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     degree: usize,
 ) -> Result<Solution<'a>, Error> {
     degenerate_logarithm_in_parts(kernel, parameter, f, &[], degree)
@@ -37,7 +37,7 @@ pub fn degenerate_logarithm<'a>(
 pub fn degenerate_logarithm_in_parts<'a>(
     kernel: &Logarithm,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     cuts: &[f64],
     degree: usize,
 ) -> Result<Solution<'a>, Error> {

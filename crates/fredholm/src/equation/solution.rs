@@ -24,7 +24,7 @@ pub struct ErrorStatement {
 
 /// A solution: a function with its integral and the statement of its error.
 pub struct Solution<'a> {
-    pub(super) value: Box<dyn Fn(f64) -> f64 + 'a>,
+    pub(super) value: Box<dyn Fn(f64) -> f64 + Send + Sync + 'a>,
     /// `int u phi dm` with the [mass function](crate::kernel::Kernel::mass_function) `u` of the kernel, where it exists.
     pub integral: Option<f64>,
     /// How far it may be off.

@@ -48,7 +48,7 @@ const USEFUL: f64 = 0.1;
 pub fn degenerate<'a>(
     relation: &'a dyn SpectralRelation,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     degree: usize,
 ) -> Result<Solution<'a>, Error> {
     degenerate_in_parts(relation, parameter, f, &[], degree)
@@ -61,7 +61,7 @@ pub fn degenerate<'a>(
 pub fn degenerate_in_parts<'a>(
     relation: &'a dyn SpectralRelation,
     parameter: f64,
-    f: &'a dyn Fn(f64) -> f64,
+    f: &'a (dyn Fn(f64) -> f64 + Sync),
     cuts: &[f64],
     degree: usize,
 ) -> Result<Solution<'a>, Error> {

@@ -35,7 +35,7 @@ use crate::Interval;
 /// assert!((solution.evaluate(0.3, 0.3f64.exp()) - exact).abs() < 1e-13);
 /// # Ok::<(), fredholm::Error>(())
 /// ```
-pub trait Kernel {
+pub trait Kernel: Send + Sync {
     /// The interval `L`.
     fn interval(&self) -> Interval;
 

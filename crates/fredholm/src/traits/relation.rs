@@ -106,7 +106,10 @@ pub trait SpectralRelation: Kernel {
     fn sum(&self, coefficients: &[f64], x: f64) -> f64;
 
     /// The function `sum_m coefficients[m] phi_m` for many points. As [`sum`](Self::sum) unless a kernel has something to prepare.
-    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+    fn combination<'s>(
+        &'s self,
+        coefficients: &[f64],
+    ) -> Box<dyn Fn(f64) -> f64 + Send + Sync + 's> {
         let coefficients = coefficients.to_vec();
         Box::new(move |x| self.sum(&coefficients, x))
     }

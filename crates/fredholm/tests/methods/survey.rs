@@ -114,7 +114,7 @@ fn yukawa(random: &mut Random, count: usize) -> Result<Drawn, Error> {
 }
 
 /// A random right-hand side: a polynomial, an exponential or a wave in the share of the interval, times the mass function.
-fn right_hand_side(random: &mut Random) -> (Box<dyn Fn(f64) -> f64>, String) {
+fn right_hand_side(random: &mut Random) -> (Box<dyn Fn(f64) -> f64 + Sync>, String) {
     match random.below(3) {
         0 => {
             let c: Vec<f64> = (0..=random.below(5)).map(|_| random.between(-1.0, 1.0)).collect();
@@ -174,7 +174,7 @@ pub(crate) fn solve(index: usize, seed: u64, number: u64) -> Result<Outcome, (St
 fn on_half_line(
     kernel: &MacdonaldHalfLine,
     parameter: f64,
-    f: &dyn Fn(f64) -> f64,
+    f: &(dyn Fn(f64) -> f64 + Sync),
     degree: usize,
 ) -> Result<Comparison, Error> {
     let sinc = collocate_half_line(kernel, parameter, f, kernel.extent().right(), 1e-10)?;

@@ -1,6 +1,6 @@
 //! An equation on a kernel: what is to be solved, and how.
 
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 use fredholm::Interval;
 use fredholm::kernel::SpectralRelation;
@@ -39,11 +39,11 @@ pub struct Equation {
     pub(super) kernel: NamedKernel,
     pub(super) rhs: Expression,
     pub(super) solver: Solver,
-    pub(super) function: Box<dyn Fn(f64) -> f64>,
+    pub(super) function: Box<dyn Fn(f64) -> f64 + Send + Sync>,
     /// The spectral relation, once a method has asked for it.
-    pub(super) relation: OnceCell<Box<dyn SpectralRelation>>,
+    pub(super) relation: OnceLock<Box<dyn SpectralRelation>>,
     /// What is proved of the right-hand side, once it was asked for.
-    pub(super) parts: OnceCell<Parts>,
+    pub(super) parts: OnceLock<Parts>,
 }
 
 impl std::fmt::Debug for Equation {
@@ -88,8 +88,8 @@ impl Equation {
             rhs,
             solver,
             function,
-            relation: OnceCell::new(),
-            parts: OnceCell::new(),
+            relation: OnceLock::new(),
+            parts: OnceLock::new(),
         };
         right_hand_side::require_finite(&equation.rhs, equation.range())?;
         Ok(equation)
@@ -134,7 +134,7 @@ impl Equation {
         places::within(self.kernel.kernel().interval(), x)
     }
 
-    pub(super) fn function(&self) -> &dyn Fn(f64) -> f64 {
+    pub(super) fn function(&self) -> &(dyn Fn(f64) -> f64 + Sync) {
         &*self.function
     }
 

@@ -275,7 +275,8 @@ fn refused(family: &Family, values: &[f64], error: fredholm::Error) -> KernelErr
 }
 
 /// Makes the spectral relation with so many eigenfunctions.
-type Relation = Box<dyn Fn(usize) -> Result<Box<dyn SpectralRelation>, fredholm::Error>>;
+type Relation =
+    Box<dyn Fn(usize) -> Result<Box<dyn SpectralRelation>, fredholm::Error> + Send + Sync>;
 
 /// A kernel as collocation wants it, and the way to its spectral relation.
 pub(super) struct Operator {
@@ -311,7 +312,7 @@ impl Operator {
     /// A kernel whose eigenfunctions are computed, so many as are asked for.
     pub(super) fn prepared<K, R>(
         kernel: K,
-        relation: impl Fn(&K, usize) -> Result<R, fredholm::Error> + 'static,
+        relation: impl Fn(&K, usize) -> Result<R, fredholm::Error> + Send + Sync + 'static,
     ) -> Self
     where
         K: Kernel + Clone + 'static,

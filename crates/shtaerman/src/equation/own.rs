@@ -17,7 +17,7 @@ use crate::{Error, ErrorKind, MethodReport, Solver, Warning};
 
 /// A right-hand side `f(x)`.
 pub struct RightHandSide<'f> {
-    function: Box<dyn Fn(f64) -> f64 + 'f>,
+    function: Box<dyn Fn(f64) -> f64 + Send + Sync + 'f>,
     formula: Option<Expression>,
 }
 
@@ -31,7 +31,7 @@ impl<'f> RightHandSide<'f> {
 
     /// A function of which nothing is known but its values; it should be smooth.
     #[must_use]
-    pub fn function(function: impl Fn(f64) -> f64 + 'f) -> Self {
+    pub fn function(function: impl Fn(f64) -> f64 + Send + Sync + 'f) -> Self {
         Self { function: Box::new(function), formula: None }
     }
 }

@@ -115,7 +115,10 @@ impl SpectralRelation for MacdonaldRelation {
         self.functions.sum(coefficients, self.local(x))
     }
 
-    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+    fn combination<'s>(
+        &'s self,
+        coefficients: &[f64],
+    ) -> Box<dyn Fn(f64) -> f64 + Send + Sync + 's> {
         let series = self.functions.series(coefficients);
         Box::new(move |x| self.functions.evaluate(&series, self.local(x)))
     }
