@@ -1,5 +1,7 @@
 //! Plane contact with a layer that follows a power law: an **estimate**, as its residual is sampled.
 
+use std::cell::Cell;
+
 use crate::between::{Pressing, Steady};
 use crate::bound::{modelled, resample, scale};
 use crate::density::Density;
@@ -10,6 +12,7 @@ use crate::kernel::Kernel;
 use crate::layer;
 use crate::norms::mass;
 use crate::open::free_ends;
+use crate::places::Places;
 use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::sample::{compared, is_short};
@@ -43,18 +46,25 @@ pub fn audit_bent(
     let panels = resample(problem, (joints, &effort), (kappa, scale), answer)?;
     let shape = Shape::new(&panels, problem.is_bilateral);
     let density = Density::new(problem.kernel, panels);
-    let mut audit =
-        Audit { problem, answer, kappa, density, shape, shift: [0.0; 2], missed: 0.0, misfit: 0.0 };
+    let mut audit = Audit {
+        problem,
+        answer,
+        kappa,
+        density,
+        shape,
+        shift: [0.0; 2],
+        missed: 0.0,
+        misfit: 0.0,
+        looks: Cell::new(0),
+    };
     [audit.missed, audit.misfit] = audit.misfit();
     audit.settle();
     let (mut zones, mut gaps) = (Vec::new(), Vec::new());
-    let refused = |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
     for panel in &audit.density.panels {
-        cover(&audit, [panel.left, panel.right], true, effort.looks, &mut zones)
-            .map_err(refused)?;
+        cover(&audit, [panel.left, panel.right], true, effort.looks, &mut zones)?;
     }
     for gap in audit.gaps() {
-        cover(&audit, gap, false, effort.looks, &mut gaps).map_err(refused)?;
+        cover(&audit, gap, false, effort.looks, &mut gaps)?;
     }
     Ok(audit.stated(stiffness, &zones, &gaps))
 }
@@ -70,6 +80,7 @@ struct Audit<'a> {
     /// What the panels miss of the pressure between the nodes, and the potential of that.
     missed: f64,
     misfit: f64,
+    looks: Cell<u64>,
 }
 
 impl Field for Audit<'_> {
@@ -80,7 +91,9 @@ impl Field for Audit<'_> {
         // What pulls by rounding is cut off.
         let q = if problem.is_bilateral { q } else { q.max(0.0) };
         let layer = layer::displacement(self.kappa, q);
-        let (potential, rounding) = self.density.potential(x);
+        let mut found = [(0.0, 0.0)];
+        self.count(self.density.potentials(&Places::numbers(&[x]), &mut found));
+        let [(potential, rounding)] = found;
         let [low, high] = problem.profile.height(x);
         let height = 0.5 * (low + high);
         let [settlement, tilt] =
@@ -103,7 +116,11 @@ impl Field for Audit<'_> {
     }
 
     fn looks(&self) -> u64 {
-        self.density.looks()
+        self.looks.get()
+    }
+
+    fn count(&self, looks: u64) {
+        self.looks.set(self.looks.get() + looks);
     }
 
     fn profile(&self) -> Option<&dyn Profile> {

@@ -15,6 +15,7 @@ use crate::modelled::Modelled;
 use crate::norms::Reach;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, Prescribed, Problem, Refusal};
+use crate::processors::each;
 use crate::profile::Profile;
 use crate::residual::{Bounded, Residual};
 use crate::sample::{compared, halves};
@@ -34,6 +35,8 @@ const PEAKED: f64 = 8.0;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
 const NO_SMALL_SHARE: f64 = 1e-2;
 const MOST_OF_IT: f64 = 0.3;
+/// Panels that are looked at together, in half a millisecond or more: far longer than a thread is begun in.
+const TOGETHER: usize = 256;
 /// Places of that window where penetration is looked for, in shares of it.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.0, 1.0];
 
@@ -126,13 +129,8 @@ pub(crate) fn resample(
     let exponent = problem.kernel.singularity().exponent();
     let limits = Limits { exact: &exact, known: &known, scale, exponent };
     let cuts = Cuts { all: joints, bent: problem.cuts };
-    let mut found = Vec::new();
-    for zone in answer.zones {
-        let is_done = panels(answer.pressure, *zone, &cuts, &limits, effort.panels, &mut found);
-        if !is_done {
-            return Err(Refusal::TooManyPanels);
-        }
-    }
+    let found = panels(answer.pressure, answer.zones, &cuts, &limits, effort.panels)
+        .ok_or(Refusal::TooManyPanels)?;
     let is_finite = found.iter().all(|panel| panel.largest.is_finite());
     if is_finite && !found.is_empty() { Ok(found) } else { Err(Refusal::NoPressure) }
 }
@@ -193,7 +191,7 @@ impl Errors {
 }
 
 impl Audit<'_> {
-    fn residual(&self) -> Residual<'_> {
+    pub(crate) fn residual(&self) -> Residual<'_> {
         Residual {
             density: &self.density,
             pressure: self.answer.pressure,
@@ -210,19 +208,21 @@ impl Audit<'_> {
             noise: Cell::new(0.0),
             before: Cell::new(f64::INFINITY),
             ends: Cell::new([(f64::NAN, false); 2]),
+            looks: Cell::new(0),
         }
     }
 
     /// The free ones of settlement and tilt that leave the least residual at the middles of the panels.
     fn settle(&mut self) {
         let Prescribed { force, moment } = self.problem.prescribed;
-        let residual = self.residual();
         let widest = self.density.panels.iter().fold(0.0f64, |most, panel| most.max(panel.half()));
-        let places: Vec<(f64, f64, f64)> = (self.density.panels.iter())
-            .filter(|panel| panel.half() >= WEIGHTY * widest)
-            .map(|panel| (panel.middle(), panel.right - panel.left))
-            .map(|(x, weight)| (x, weight, residual.at(x).0))
-            .collect();
+        let of_panel = |panel: &Panel| {
+            let (x, weight) = (panel.middle(), panel.right - panel.left);
+            (panel.half() >= WEIGHTY * widest).then(|| (x, weight, self.residual().at(x).0))
+        };
+        let parts: Vec<&[Panel]> = self.density.panels.chunks(TOGETHER).collect();
+        let places = each(&parts, |part| part.iter().filter_map(of_panel).collect::<Vec<_>>());
+        let places = places.concat();
         let sum = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
             places.iter().map(|(x, weight, w)| weight * u(*x, *w)).sum()
         };
@@ -243,7 +243,7 @@ impl Audit<'_> {
     }
 
     /// The intervals of the base outside the zones.
-    fn gaps(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn gaps(&self) -> Vec<[f64; 2]> {
         let mut gaps = Vec::new();
         for [left, right] in self.problem.pieces {
             let mut from = *left;
@@ -264,19 +264,10 @@ impl Audit<'_> {
     }
 
     fn bound(&self, effort: &Effort) -> Result<Bound, Refusal> {
-        let residual = self.residual();
-        let (mut zones, mut gaps) = (Vec::new(), Vec::new());
-        let refused =
-            |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
-        for zone in self.answer.zones {
-            residual.in_zone(*zone, effort.looks, &mut zones).map_err(refused)?;
-        }
-        for gap in self.gaps() {
-            residual.beside_zones(gap, effort.looks, &mut gaps).map_err(refused)?;
-        }
+        let [mut zones, mut gaps] = self.covered(effort.looks)?;
         let wide = zones.iter().chain(&gaps).filter(|window| !window.is_narrow);
         let others = wide.fold(0.0f64, |most, window| most.max(window.at_numbers));
-        residual.look_closer(zones.iter_mut().chain(&mut gaps), others);
+        self.residual().look_closer(zones.iter_mut().chain(&mut gaps), others);
         let windows = Windows { zones: &zones, gaps: &gaps };
         // First with all of the base, then with what of it may be in contact.
         let whole = self.hull(&windows, f64::INFINITY);
@@ -370,17 +361,19 @@ impl Audit<'_> {
     /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already, and there its
     /// largest pressure is found.
     fn resampled(&self, zones: &[Bounded]) -> [f64; 2] {
-        let (mut largest, mut narrowly) = (0.0f64, f64::NEG_INFINITY);
-        for panel in &self.density.panels {
-            for (x, pressure, off) in compared(panel, self.answer.pressure) {
-                if is_narrow(zones, x) {
-                    narrowly = narrowly.max(pressure);
-                } else {
-                    largest = largest.max(off);
-                }
-            }
-        }
-        [largest, narrowly]
+        let none = [0.0, f64::NEG_INFINITY];
+        let larger = |[off, pressure]: [f64; 2], [other, another]: [f64; 2]| {
+            [off.max(other), pressure.max(another)]
+        };
+        let of_panel = |panel: &Panel| {
+            let seen = compared(panel, self.answer.pressure).map(|(x, pressure, off)| {
+                if is_narrow(zones, x) { [0.0, pressure] } else { [off, f64::NEG_INFINITY] }
+            });
+            seen.into_iter().fold(none, larger)
+        };
+        let parts: Vec<&[Panel]> = self.density.panels.chunks(TOGETHER).collect();
+        let found = each(&parts, |part| part.iter().map(of_panel).fold(none, larger));
+        found.into_iter().fold(none, larger)
     }
 }
 

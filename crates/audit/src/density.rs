@@ -1,7 +1,5 @@
 //! The density whose error is bounded, a polynomial on each panel, and its potential.
 
-use std::cell::Cell;
-
 use crate::allowance::UNIT;
 use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR};
@@ -31,7 +29,6 @@ pub(crate) struct Density {
     scales: Vec<f64>,
     /// Of a row.
     regular: Regular,
-    looks: Cell<u64>,
 }
 
 impl Density {
@@ -46,8 +43,7 @@ impl Density {
         let recurrence = Recurrence::new(kernel.singularity());
         let scales = panels.iter().map(|panel| recurrence.scale(panel.half())).collect();
         let clusters = Vec::with_capacity(2 * panels.len());
-        let mut density =
-            Self { kernel, panels, clusters, recurrence, scales, regular, looks: Cell::new(0) };
+        let mut density = Self { kernel, panels, clusters, recurrence, scales, regular };
         if !density.panels.is_empty() {
             density.gather([0, density.panels.len()]);
         }
@@ -64,16 +60,6 @@ impl Density {
         let cluster = Cluster::new(&self.panels, [first, last], parts, self.kernel.singularity());
         self.clusters.push(cluster);
         self.clusters.len() - 1
-    }
-
-    /// How often a panel, or several together, were looked at from places that lie together, and what else counts as such looks.
-    pub(crate) fn looks(&self) -> u64 {
-        self.looks.get()
-    }
-
-    /// Counts what takes as long as so many looks.
-    pub(crate) fn count(&self, looks: u64) {
-        self.looks.set(self.looks.get() + looks);
     }
 
     /// The largest size.
@@ -133,47 +119,58 @@ impl Density {
         found[0]
     }
 
-    /// The same at places that lie together, into as many entries, which costs less than one by one.
-    pub(crate) fn potentials(&self, places: &Places<'_>, found: &mut [(f64, f64)]) {
+    /// The same at places that lie together, into as many entries, which costs less than one by one; how often a panel, or several together, were looked at for them.
+    pub(crate) fn potentials(&self, places: &Places<'_>, found: &mut [(f64, f64)]) -> u64 {
         let from = places.from;
+        let mut looks = 0;
         for (offsets, found) in places.offsets.chunks(WIDE).zip(found.chunks_mut(WIDE)) {
-            if offsets.len() <= NARROW {
-                self.potentials_of::<NARROW>(from, offsets, found);
+            looks += if offsets.len() <= NARROW {
+                self.potentials_of::<NARROW>(from, offsets, found)
             } else {
-                self.potentials_of::<WIDE>(from, offsets, found);
-            }
+                self.potentials_of::<WIDE>(from, offsets, found)
+            };
         }
+        looks
     }
 
     /// Of at most `N` places.
-    fn potentials_of<const N: usize>(&self, from: f64, offsets: &[f64], found: &mut [(f64, f64)]) {
-        let Some(last) = offsets.last() else { return };
+    fn potentials_of<const N: usize>(
+        &self,
+        from: f64,
+        offsets: &[f64],
+        found: &mut [(f64, f64)],
+    ) -> u64 {
+        let Some(last) = offsets.last() else { return 0 };
         let mut all = [*last; N];
         all[..offsets.len()].copy_from_slice(offsets);
-        let sums = vectorised(
+        let (sums, looks) = vectorised(
             #[inline(always)]
-            || self.summed(from, &all).finished(),
+            || {
+                let (sums, looks) = self.summed(from, &all);
+                (sums.finished(), looks)
+            },
         );
         found.copy_from_slice(&sums[..offsets.len()]);
+        looks
     }
 
     #[inline(always)]
-    fn summed<const N: usize>(&self, from: f64, offsets: &[f64; N]) -> Sums<N> {
-        let mut sums = Sums::NONE;
-        let Some(root) = self.clusters.last() else { return sums };
+    fn summed<const N: usize>(&self, from: f64, offsets: &[f64; N]) -> (Sums<N>, u64) {
+        let (mut sums, mut looks) = (Sums::NONE, 0);
+        let Some(root) = self.clusters.last() else { return (sums, looks) };
         match self.kernel {
-            Kernel::Logarithm => self.add_singular(from, offsets, -1.0, &mut sums),
+            Kernel::Logarithm => looks += self.add_singular(from, offsets, -1.0, &mut sums),
             Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
-                self.add_singular(from, offsets, -1.0, &mut sums);
+                looks += self.add_singular(from, offsets, -1.0, &mut sums);
                 // Interpolation reproduces a constant, so that windows need not know of it. The integral is compensated; the constant is a rounded logarithm.
                 let constant = self.kernel.constant();
                 let rounding = 8.0 * constant.abs() * root.mass;
                 sums.add(1.0, &[constant * root.integral(); N], &[rounding; N]);
             }
-            Kernel::Power { .. } => self.add_singular(from, offsets, 1.0, &mut sums),
+            Kernel::Power { .. } => looks += self.add_singular(from, offsets, 1.0, &mut sums),
             Kernel::Row { period } => {
                 for image in [0.0, -period, period] {
-                    self.add_singular(from + image, offsets, -1.0, &mut sums);
+                    looks += self.add_singular(from + image, offsets, -1.0, &mut sums);
                 }
                 let mut places = *offsets;
                 for x in &mut places {
@@ -183,10 +180,10 @@ impl Density {
                 sums.add(1.0, &values, &[rounding; N]);
             }
         }
-        sums
+        (sums, looks)
     }
 
-    /// Adds `sign int sigma(|x - t|) q(t) dt`.
+    /// Adds `sign int sigma(|x - t|) q(t) dt`; the number of looks.
     #[inline(always)]
     fn add_singular<const N: usize>(
         &self,
@@ -194,14 +191,14 @@ impl Density {
         offsets: &[f64; N],
         sign: f64,
         sums: &mut Sums<N>,
-    ) {
+    ) -> u64 {
         let singularity = self.kernel.singularity();
         let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
         for x in offsets {
             first = first.min(*x);
             last = last.max(*x);
         }
-        let Some(root) = self.clusters.last() else { return };
+        let Some(root) = self.clusters.last() else { return 0 };
         let total = root.mass;
         let mut stack = [0; DEPTH];
         stack[0] = self.clusters.len() - 1;
@@ -223,7 +220,7 @@ impl Density {
             };
             sums.add(sign, &values, &roundings);
         }
-        self.count(looks);
+        looks
     }
 
     /// Potentials of a single panel, of which some places of those that are longer together than it may be far.

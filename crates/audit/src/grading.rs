@@ -1,7 +1,10 @@
 //! Where the density is cut into panels.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use crate::legendre::ORDER;
 use crate::panel::{Panel, TAIL};
+use crate::processors::each;
 use crate::sample::{COARSE, FINEST, Sampled, graininess, sampled};
 use crate::sampled::SMALLEST;
 
@@ -34,6 +37,9 @@ const STEEPER: f64 = 4.0;
 /// What a panel beside a corner misses at its end, in last coefficients: those of `d ln d` fall as `4/n^3`, so that the rest of them adds up to half their number. Powers fall more slowly still, yet
 /// beside a jump shorter panels only leave more of them to single numbers: there a bound of `cargo test -p shtaerman-cli kinks_and_jumps` is 1.2e-9 without it, 3.4e-9 with it.
 const MISSED_AT_END: f64 = 0.5 * ORDER as f64;
+
+/// Parts of zones that are resampled together, in half a millisecond or more: far longer than a thread is begun in.
+const TOGETHER: usize = 16;
 
 /// What was seen of a part: the last coefficients, and its width.
 #[derive(Debug, Clone, Copy)]
@@ -148,9 +154,9 @@ fn falling(share: f64) -> f64 {
 /// How well a density is to be resolved.
 pub(crate) struct Limits<'a> {
     /// What a polynomial may miss between two places.
-    pub(crate) exact: &'a dyn Fn(f64, f64) -> f64,
+    pub(crate) exact: &'a (dyn Fn(f64, f64) -> f64 + Sync),
     /// What the density is known to at best there: what is finer is rounding.
-    pub(crate) known: &'a dyn Fn(f64, f64) -> f64,
+    pub(crate) known: &'a (dyn Fn(f64, f64) -> f64 + Sync),
     /// The size of the density.
     pub(crate) scale: f64,
     /// The exponent of a kernel that is a power, 0 of a logarithm.
@@ -172,37 +178,57 @@ struct Sampling<'a> {
     origin: f64,
 }
 
-/// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their ends; none where they would be more than `most`.
+/// A part of a zone between places where panels are cut, and the width of the zone.
+struct Stretch {
+    ends: [f64; 2],
+    is_end: [bool; 2],
+    width: f64,
+}
+
+/// Panels of zones from left to right on which the density is a polynomial to a tolerance for their ends; none where they would be more than `most`.
 pub(crate) fn panels(
-    density: &dyn Fn(f64) -> f64,
-    zone: [f64; 2],
+    density: &(dyn Fn(f64) -> f64 + Sync),
+    zones: &[[f64; 2]],
     cuts: &Cuts<'_>,
     limits: &Limits<'_>,
     most: usize,
-    found: &mut Vec<Panel>,
-) -> bool {
-    let mut ends: Vec<(f64, bool)> = vec![(zone[0], true)];
-    let inside = cuts.all.iter().copied().filter(|at| zone[0] < *at && *at < zone[1]);
-    ends.extend(
-        inside.map(|at| (at, cuts.bent.binary_search_by(|cut| cut.total_cmp(&at)).is_ok())),
-    );
+) -> Option<Vec<Panel>> {
+    let stretches: Vec<Stretch> = zones.iter().flat_map(|zone| cut(*zone, cuts)).collect();
+    let parts: Vec<&[Stretch]> = stretches.chunks(TOGETHER).collect();
+    let count = AtomicUsize::new(0);
+    let found = each(&parts, |part| {
+        let mut found = Vec::new();
+        for stretch in *part {
+            let before = found.len();
+            let is_done =
+                Sampling::new(density, limits, stretch.width).cover(stretch, most, &mut found);
+            let added = found.len() - before;
+            // Panels only become more: whoever sees that these are too many, they are.
+            if !is_done || count.fetch_add(added, Ordering::Relaxed) + added > most {
+                return None;
+            }
+        }
+        Some(found)
+    });
+    let found: Option<Vec<Vec<Panel>>> = found.into_iter().collect();
+    found.map(|parts| parts.concat())
+}
+
+/// The parts of a zone between the places where panels are cut.
+fn cut(zone: [f64; 2], cuts: &Cuts<'_>) -> Vec<Stretch> {
+    let is_bent = |at: f64| cuts.bent.binary_search_by(|cut| cut.total_cmp(&at)).is_ok();
+    let inside =
+        cuts.all.partition_point(|at| *at <= zone[0])..cuts.all.partition_point(|at| *at < zone[1]);
+    let inside = cuts.all.get(inside).unwrap_or_default().iter();
+    let mut ends = vec![(zone[0], true)];
+    ends.extend(inside.map(|at| (*at, is_bent(*at))));
     ends.push((zone[1], true));
-    let width = zone[1] - zone[0];
-    let longest = LONGEST.min(LONGEST_OF_ZONE * width);
-    let sampling = Sampling { density, limits, longest, origin: SMALLEST * width };
-    let mut stack: Vec<Part> = (ends.windows(2).rev())
-        .map(|pair| Part::new([pair[0].0, pair[1].0], [pair[0].1, pair[1].1]))
-        .collect();
-    while let Some(part) = stack.pop() {
-        match sampling.judged(part) {
-            Judged::Done(panel) => found.push(panel),
-            Judged::Cut(halves) => stack.extend(halves),
-        }
-        if found.len() + stack.len() > most {
-            return false;
-        }
-    }
-    true
+    let stretch = |[left, right]: [(f64, bool); 2]| Stretch {
+        ends: [left.0, right.0],
+        is_end: [left.1, right.1],
+        width: zone[1] - zone[0],
+    };
+    ends.windows(2).map(|pair| stretch([pair[0], pair[1]])).collect()
 }
 
 /// What becomes of a part.
@@ -212,7 +238,29 @@ enum Judged {
     Cut([Part; 2]),
 }
 
-impl Sampling<'_> {
+impl<'a> Sampling<'a> {
+    /// On a zone of this width.
+    fn new(density: &'a dyn Fn(f64) -> f64, limits: &'a Limits<'a>, width: f64) -> Self {
+        let longest = LONGEST.min(LONGEST_OF_ZONE * width);
+        Self { density, limits, longest, origin: SMALLEST * width }
+    }
+
+    /// Adds the panels of a part of a zone; whether they are no more than `most`.
+    fn cover(&self, stretch: &Stretch, most: usize, found: &mut Vec<Panel>) -> bool {
+        let before = found.len();
+        let mut stack = vec![Part::new(stretch.ends, stretch.is_end)];
+        while let Some(part) = stack.pop() {
+            match self.judged(part) {
+                Judged::Done(panel) => found.push(panel),
+                Judged::Cut(halves) => stack.extend(halves),
+            }
+            if found.len() - before + stack.len() > most {
+                return false;
+            }
+        }
+        true
+    }
+
     fn is_resolved(&self, [left, right]: [f64; 2], tail: f64) -> bool {
         tail <= (self.limits.exact)(left, right) || tail <= (self.limits.known)(left, right)
     }
@@ -290,8 +338,8 @@ mod tests {
     fn panels_at_the_origin_have_an_end() {
         let density = |r: f64| if r == 0.0 { 1.0 } else { 1.0 + 0.1 * r.ln().sin() };
         let limits = Limits { exact: &|_, _| 1e-14, known: &|_, _| 0.0, scale: 1.0, exponent: 0.5 };
-        let (cuts, mut found) = (Cuts { all: &[], bent: &[] }, Vec::new());
-        assert!(panels(&density, [0.0, 1.0], &cuts, &limits, 1 << 16, &mut found));
+        let cuts = Cuts { all: &[], bent: &[] };
+        let found = panels(&density, &[[0.0, 1.0]], &cuts, &limits, 1 << 16).unwrap();
         assert_eq!(found[0].left, 0.0);
         assert!(found[0].right > 1e-20, "{:e}", found[0].right);
     }

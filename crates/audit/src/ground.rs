@@ -257,6 +257,10 @@ impl Profile for Raised<'_> {
         }
         bounds
     }
+
+    fn looks(&self, interval: [f64; 2]) -> u64 {
+        self.profile.looks(interval)
+    }
 }
 
 /// Gauss nodes of the density with their masses, on its panels cut to this length.

@@ -17,6 +17,8 @@ type Interval = ([f64; 2], Option<Vec<f64>>);
 #[derive(Debug, Default)]
 pub(crate) struct Known {
     intervals: Vec<Interval>,
+    /// What it took to ask for these bounds, in looks.
+    looks: u64,
 }
 
 /// What is known of the profile on a window.
@@ -24,6 +26,7 @@ pub(crate) struct Heights<'a> {
     profile: &'a dyn Profile,
     window: [f64; 2],
     intervals: &'a mut [Interval],
+    looks: &'a mut u64,
 }
 
 impl Known {
@@ -36,7 +39,12 @@ impl Known {
         if self.intervals.last().is_none_or(|(last, _)| *last != window) {
             self.intervals.push((window, None));
         }
-        Heights { profile, window, intervals: &mut self.intervals }
+        Heights { profile, window, intervals: &mut self.intervals, looks: &mut self.looks }
+    }
+
+    /// What it took to ask for bounds since this was asked for last, in looks.
+    pub(crate) fn take_looks(&mut self) -> u64 {
+        std::mem::take(&mut self.looks)
     }
 }
 
@@ -64,7 +72,9 @@ impl Heights<'_> {
 
     /// Asks for bounds on an interval; those of a larger one hold on it as well.
     fn ask(&mut self, index: usize, order: usize, before: Option<usize>) {
-        let mut bounds = self.profile.taylor_bounds(self.intervals[index].0, order);
+        let interval = self.intervals[index].0;
+        *self.looks += self.profile.looks(interval);
+        let mut bounds = self.profile.taylor_bounds(interval, order);
         if let Some(larger) = before.and_then(|before| self.intervals[before].1.as_ref()) {
             bounds.extend(larger.iter().skip(bounds.len()));
             for (bound, other) in bounds.iter_mut().zip(larger) {

@@ -17,6 +17,7 @@ mod bound;
 mod chebyshev;
 #[cfg(test)]
 mod closed;
+mod covering;
 mod density;
 mod disk;
 mod displacements;
@@ -43,6 +44,7 @@ mod panel;
 mod places;
 mod potentials;
 mod problem;
+mod processors;
 mod profile;
 mod remainders;
 mod residual;

@@ -110,7 +110,7 @@ impl Residual<'_> {
     fn each(&self, numbers: &[f64], is_inside: bool) -> Vec<Seen> {
         let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
         let places = Places::numbers(numbers);
-        self.density.potentials(&places, &mut potentials[..numbers.len()]);
+        self.potentials(&places, &mut potentials[..numbers.len()]);
         let mut heights = [[0.0; 2]; MOST_NUMBERS];
         self.profile.heights(numbers, &mut heights[..numbers.len()]);
         let densities = self.density.values(&places);
@@ -219,7 +219,7 @@ impl Residual<'_> {
 
     /// A bound of how much `w` changes in a narrow window.
     fn variation(&self, [left, right]: [f64; 2]) -> f64 {
-        self.density.count(RANGE);
+        self.count(RANGE);
         let [low, high] = self.profile.range([left, right]);
         (high - low)
             + self.theta * self.potential_variation([left, right])

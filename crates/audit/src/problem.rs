@@ -39,8 +39,8 @@ pub struct Problem<'a> {
 pub struct Answer<'a> {
     /// The zones of contact, from left to right.
     pub zones: &'a [[f64; 2]],
-    /// The pressure at places of the zones.
-    pub pressure: &'a dyn Fn(f64) -> f64,
+    /// The pressure at places of the zones; several threads ask for it.
+    pub pressure: &'a (dyn Fn(f64) -> f64 + Sync),
     /// `delta`.
     pub settlement: f64,
     /// `alpha`.

@@ -8,17 +8,11 @@ use std::cell::Cell;
 
 use crate::allowance::UNIT;
 use crate::density::Density;
-use crate::effort::WINDOW;
-use crate::heights::Known;
+use crate::places::Places;
 use crate::profile::Profile;
 
-/// Windows are at least this wide, relative to their distance from the origin: some units of the machine.
-pub(crate) const FINEST: f64 = 16.0 * f64::EPSILON;
 /// Beside the origin, where numbers are as fine as one likes, they are at least that of this share of the whole.
 pub(crate) const SMALLEST: f64 = 1e-3;
-
-/// An interval beside a bend is cut at this share of its length: the longer part has a disk of 1.29 times its half-length about it, as much as the bend is farther than the disk.
-const BESIDE_A_BEND: f64 = 0.25;
 
 /// Places of jumps are as exact as this, relative to them: a quotient or product of two numbers, or the root of what a formula compares.
 const BLURRED: f64 = 4.0 * f64::EPSILON;
@@ -45,17 +39,11 @@ pub(crate) struct Bounded {
     pub(crate) is_narrow: bool,
 }
 
-/// Why the residual was not bounded.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TooManyWindows {
-    pub(crate) at: f64,
-}
-
 /// An answer of which the residual is formed.
 pub(crate) struct Residual<'a> {
     pub(crate) density: &'a Density,
     /// The answer's own pressure.
-    pub(crate) pressure: &'a dyn Fn(f64) -> f64,
+    pub(crate) pressure: &'a (dyn Fn(f64) -> f64 + Sync),
     pub(crate) profile: &'a dyn Profile,
     /// Places where the base may jump.
     pub(crate) cuts: &'a [f64],
@@ -72,12 +60,26 @@ pub(crate) struct Residual<'a> {
     pub(crate) before: Cell<f64>,
     /// The ends of the last window, and whether it is open on which side of a jump they lie.
     pub(crate) ends: Cell<[(f64, bool); 2]>,
+    /// How often panels were looked at, and what else counts as such looks.
+    pub(crate) looks: Cell<u64>,
 }
 
 impl Residual<'_> {
     /// `w(x)` and a bound of its rounding.
     pub(crate) fn at(&self, x: f64) -> (f64, f64) {
-        self.formed(x, self.profile.height(x), self.density.value(x), self.density.potential(x))
+        let mut potential = [(0.0, 0.0)];
+        self.potentials(&Places::numbers(&[x]), &mut potential);
+        self.formed(x, self.profile.height(x), self.density.value(x), potential[0])
+    }
+
+    /// `int K(x, t) q(t) dt` at places that lie together, each with a bound of its rounding.
+    pub(crate) fn potentials(&self, places: &Places<'_>, found: &mut [(f64, f64)]) {
+        self.count(self.density.potentials(places, found));
+    }
+
+    /// Counts what takes as long as so many looks.
+    pub(crate) fn count(&self, looks: u64) {
+        self.looks.set(self.looks.get() + looks);
     }
 
     /// The same from bounds of `f(x)`, and from `q(x)` and its potential, each with a bound of its rounding.
@@ -106,83 +108,5 @@ impl Residual<'_> {
         let taken = |is_free: bool, term: f64| if is_free { 0.0 } else { term.abs() };
         let line = taken(self.free[0], self.settlement) + taken(self.free[1], self.tilt * x);
         w.abs() + q.abs() + 2.0 * (height.abs() + line)
-    }
-
-    /// Bounds of `|w|` on windows that cover a zone.
-    pub(crate) fn in_zone(
-        &self,
-        zone: [f64; 2],
-        most: u64,
-        found: &mut Vec<Bounded>,
-    ) -> Result<(), TooManyWindows> {
-        let mut known = Known::default();
-        self.cover(zone, most, found, &mut |window| self.window_in_zone(window, zone, &mut known))
-    }
-
-    /// Lower bounds of `w` on windows that cover an interval beside the zones.
-    pub(crate) fn beside_zones(
-        &self,
-        gap: [f64; 2],
-        most: u64,
-        found: &mut Vec<Bounded>,
-    ) -> Result<(), TooManyWindows> {
-        let mut known = Known::default();
-        self.cover(gap, most, found, &mut |window| self.window_in_gap(window, &mut known))
-    }
-
-    fn cover(
-        &self,
-        whole: [f64; 2],
-        most: u64,
-        found: &mut Vec<Bounded>,
-        bound: &mut dyn FnMut([f64; 2]) -> Option<Bounded>,
-    ) -> Result<(), TooManyWindows> {
-        let mut stack: Vec<Open> = (self.cut(whole).windows(2).rev())
-            .map(|pair| Open { left: pair[0], right: pair[1], is_end: [true; 2] })
-            .collect();
-        while let Some(open) = stack.pop() {
-            self.density.count(WINDOW);
-            let Open { left, right, is_end } = open;
-            let middle = open.cut();
-            let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));
-            if right - left <= FINEST * size || middle <= left || middle >= right {
-                self.narrow_parts([left, right], found);
-            } else if let Some(window) = bound([left, right]) {
-                found.push(window);
-            } else {
-                stack.push(Open { left: middle, right, is_end: [false, is_end[1]] });
-                stack.push(Open { left, right: middle, is_end: [is_end[0], false] });
-            }
-            if self.density.looks() > most {
-                return Err(TooManyWindows { at: middle });
-            }
-        }
-        Ok(())
-    }
-
-    /// The ends of an interval, and the places between where the base may bend: windows shrink to these from either side.
-    fn cut(&self, [left, right]: [f64; 2]) -> Vec<f64> {
-        let inside = self.cuts.iter().copied().filter(|cut| left < *cut && *cut < right);
-        std::iter::once(left).chain(inside).chain([right]).collect()
-    }
-}
-
-/// An interval that is still to be covered.
-struct Open {
-    left: f64,
-    right: f64,
-    /// Whether the residual may bend at that end.
-    is_end: [bool; 2],
-}
-
-impl Open {
-    /// Where it is cut: a window may be three times as long as it is away from a bend.
-    fn cut(&self) -> f64 {
-        let share = match self.is_end {
-            [true, false] => BESIDE_A_BEND,
-            [false, true] => 1.0 - BESIDE_A_BEND,
-            _ => 0.5,
-        };
-        self.left + share * (self.right - self.left)
     }
 }

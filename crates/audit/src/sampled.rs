@@ -2,8 +2,9 @@
 
 use crate::chebyshev::{lebesgue, nodes};
 use crate::heights::Known;
+use crate::problem::Refusal;
 use crate::profile::Profile;
-use crate::residual::{TooManyWindows, blur};
+use crate::residual::blur;
 
 /// Numbers of nodes on a window.
 const COUNTS: [usize; 3] = [8, 12, 17];
@@ -20,8 +21,11 @@ pub(crate) trait Field {
     /// `w(x)` and what its rounding may be.
     fn residual(&self, x: f64) -> (f64, f64);
 
-    /// How often its density was looked at.
+    /// How often its density was looked at, and what else counts as such looks.
     fn looks(&self) -> u64;
+
+    /// Counts what takes as long as so many looks.
+    fn count(&self, looks: u64);
 
     /// What presses at most at any place of a short window.
     fn presses(&self, window: [f64; 2]) -> f64;
@@ -89,7 +93,7 @@ pub(crate) fn cover(
     is_zone: bool,
     most: u64,
     found: &mut Vec<Seen>,
-) -> Result<(), TooManyWindows> {
+) -> Result<(), Refusal> {
     let mut stack = vec![whole];
     let mut known = Known::default();
     while let Some([left, right]) = stack.pop() {
@@ -104,8 +108,9 @@ pub(crate) fn cover(
             stack.push([middle, right]);
             stack.push([left, middle]);
         }
+        field.count(known.take_looks());
         if field.looks() > most {
-            return Err(TooManyWindows { at: middle });
+            return Err(Refusal::TooManyWindows { at: middle });
         }
     }
     Ok(())

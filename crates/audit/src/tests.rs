@@ -35,6 +35,10 @@ impl Profile for Parabola {
         bounds[2] = self.c.abs();
         bounds
     }
+
+    fn looks(&self, _: [f64; 2]) -> u64 {
+        0
+    }
 }
 
 /// Panels graded to both ends of `[l, r]`.

@@ -168,14 +168,14 @@ impl Residual<'_> {
         let (from, offsets) = placed(c, r, count);
         let nodes = Places { from, offsets: &offsets };
         let mut potentials = [(0.0, 0.0); MOST];
-        self.density.potentials(&nodes, &mut potentials[..count]);
+        self.potentials(&nodes, &mut potentials[..count]);
         let densities = self.density.values(&nodes);
         let places: Vec<f64> = offsets.iter().map(|offset| from + offset).collect();
         let mut heights = [[0.0; 2]; MOST];
         if from == 0.0 {
             self.profile.heights(&places, &mut heights[..count]);
         } else {
-            self.density.count(RANGE * count as u64);
+            self.count(RANGE * count as u64);
             for (height, x) in heights.iter_mut().zip(&places) {
                 let between = [x.next_down().max(left), x.next_up().min(right)];
                 *height = self.profile.range(between);

@@ -38,8 +38,6 @@ pub(crate) mod work {
     pub(crate) const DERIVATIVE: f64 = 34_000.0;
     /// Formulas of so many operations count as a whole one, shorter ones as their part (survey: a power of a distance takes 100 ns).
     const LONG: usize = 24;
-    /// How often an audit may ask for bounds of derivatives of the profile (survey: 128 times at most for 109 plausible problems; a formula that bends at `1e-12` of its length asked 500,000 times, for nothing).
-    pub(crate) const DERIVATIVES: u32 = 20_000;
 
     /// The part of a derivative that one of a formula of so many operations is.
     pub(crate) fn share(operations: Option<usize>) -> f64 {

@@ -12,7 +12,7 @@ use crate::sampled::Field;
 /// A harmonic of the pressure, as the answer has it and on panels.
 pub(super) struct Resampled<'a> {
     pub(super) density: Radial,
-    own: Box<dyn Fn(f64) -> f64 + 'a>,
+    own: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
     /// What was added to the answer's at most, so that it carries its load.
     changed: f64,
     /// Force or moment.
@@ -22,7 +22,7 @@ pub(super) struct Resampled<'a> {
 impl<'a> Resampled<'a> {
     pub(super) fn new(
         density: Radial,
-        own: Box<dyn Fn(f64) -> f64 + 'a>,
+        own: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
         changed: f64,
         total: f64,
     ) -> Self {
@@ -62,7 +62,7 @@ pub(super) struct Part<'a> {
     pub(super) total: f64,
     /// A bound of `int K s ds`.
     pub(super) mass: f64,
-    own: Box<dyn Fn(f64) -> f64 + 'a>,
+    own: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
     profile: Option<&'a dyn Profile>,
     theta: f64,
     layer: f64,
@@ -172,6 +172,10 @@ impl Field for Part<'_> {
 
     fn looks(&self) -> u64 {
         self.density.looks()
+    }
+
+    fn count(&self, looks: u64) {
+        self.density.count(looks);
     }
 
     fn profile(&self) -> Option<&dyn Profile> {

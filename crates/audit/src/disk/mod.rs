@@ -141,12 +141,13 @@ impl<'a> Audit<'a> {
         (problem, joints): (&DiskProblem<'_>, &[f64]),
         (zones, whole): (&[[f64; 2]], f64),
         order: u32,
-        density: Box<dyn Fn(f64) -> f64 + 'a>,
+        density: Box<dyn Fn(f64) -> f64 + Sync + 'a>,
     ) -> Result<Resampled<'a>, Refusal> {
         let Prescribed { force, moment } = problem.prescribed;
         let kernel = Harmonic::new(order, problem.exponent);
-        let resampled =
-            |density: &dyn Fn(f64) -> f64| Self::panels((problem, joints), (zones, whole), density);
+        let resampled = |density: &(dyn Fn(f64) -> f64 + Sync)| {
+            Self::panels((problem, joints), (zones, whole), density)
+        };
         let found = Radial::new(kernel.clone(), problem.exponent, resampled(&*density)?);
         let (given, own) = if order == 0 {
             (force, std::f64::consts::TAU * found.integral(|_| 1.0))
@@ -190,7 +191,7 @@ impl<'a> Audit<'a> {
     fn panels(
         (problem, joints): (&DiskProblem<'_>, &[f64]),
         (zones, whole): (&[[f64; 2]], f64),
-        density: &dyn Fn(f64) -> f64,
+        density: &(dyn Fn(f64) -> f64 + Sync),
     ) -> Result<Vec<Panel>, Refusal> {
         let own = (zones.iter())
             .flat_map(|[left, right]| {
@@ -213,12 +214,8 @@ impl<'a> Audit<'a> {
         };
         let limits = Limits { exact: &exact, known: &known, scale, exponent: problem.exponent };
         let cuts = Cuts { all: joints, bent: problem.cuts };
-        let mut found = Vec::new();
-        for zone in zones {
-            if !panels(density, *zone, &cuts, &limits, Effort::new(joints).panels, &mut found) {
-                return Err(Refusal::TooManyPanels);
-            }
-        }
+        let found = panels(density, zones, &cuts, &limits, Effort::new(joints).panels)
+            .ok_or(Refusal::TooManyPanels)?;
         if found.iter().all(|panel| panel.largest.is_finite()) {
             Ok(found)
         } else {
@@ -258,21 +255,19 @@ impl<'a> Audit<'a> {
     }
 
     fn bound(&self) -> Result<Bound, Refusal> {
-        let refused =
-            |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
         let (mut zones, mut gaps, mut leans) = (Vec::new(), Vec::new(), Vec::new());
         for panel in self.level.density.panels() {
             let whole = [panel.left, panel.right];
-            cover(&self.level, whole, true, self.effort.looks, &mut zones).map_err(refused)?;
+            cover(&self.level, whole, true, self.effort.looks, &mut zones)?;
         }
         for gap in self.gaps() {
-            cover(&self.level, gap, false, self.effort.looks, &mut gaps).map_err(refused)?;
+            cover(&self.level, gap, false, self.effort.looks, &mut gaps)?;
         }
         if let Some(lean) = &self.lean {
             let most = self.effort.looks.saturating_sub(self.level.density.looks());
             for panel in lean.density.panels() {
                 let whole = [panel.left, panel.right];
-                cover(lean, whole, true, most, &mut leans).map_err(refused)?;
+                cover(lean, whole, true, most, &mut leans)?;
             }
         }
         let windows = zones.len() + gaps.len() + leans.len();

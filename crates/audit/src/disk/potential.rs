@@ -67,6 +67,11 @@ impl Radial {
         self.looks.get()
     }
 
+    /// Counts what takes as long as so many looks.
+    pub(crate) fn count(&self, looks: u64) {
+        self.looks.set(self.looks.get() + looks);
+    }
+
     pub(crate) fn panels(&self) -> &[Panel] {
         &self.panels
     }

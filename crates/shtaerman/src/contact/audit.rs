@@ -2,8 +2,6 @@
 //!
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
-use std::cell::Cell;
-
 use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Prescribed, Profile, Refusal};
 
@@ -13,7 +11,6 @@ use super::posed::{GRADED, Posed, posed};
 use super::promise::ROUGHEST;
 use super::unaudited::Unaudited;
 use super::{Accuracy, ErrorKind};
-use crate::deadline::work;
 use crate::rounding::OF_A_VALUE;
 use crate::{Contact, ContactKind, Error, Load, Problem, Rotational};
 
@@ -57,8 +54,8 @@ impl Audit {
 /// A way to bound the errors of an answer.
 type Auditor = fn(&shtaerman_audit::Problem<'_>, &Answer<'_>) -> Result<Bound, Refusal>;
 
-/// The base of a problem, enclosed; derivatives may be asked for so many times still.
-struct Base<'a>(&'a Problem, Cell<u32>);
+/// The base of a problem, enclosed.
+struct Base<'a>(&'a Problem);
 
 impl Profile for Base<'_> {
     fn height(&self, x: f64) -> [f64; 2] {
@@ -72,10 +69,12 @@ impl Profile for Base<'_> {
     }
 
     fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64> {
-        let Some(left) = self.1.get().checked_sub(1) else { return Vec::new() };
-        self.1.set(left);
         let found = self.0.dimensionless_taylor(interval, order).unwrap_or_default();
         found.iter().map(|range| range.lower().abs().max(range.upper().abs())).collect()
+    }
+
+    fn looks(&self, _: [f64; 2]) -> u64 {
+        self.0.profile().looks()
     }
 }
 
@@ -212,7 +211,7 @@ impl Contact {
         let bodies = problem.bodies();
         let scaled = |size: f64| if bodies.scaling().is_some() { size } else { 0.0 };
         let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
-        let profile = &Base(problem, Cell::new(work::DERIVATIVES));
+        let profile = &Base(problem);
         let pieces = bodies.pieces();
         let plane = |kernel, ground, strength: f64, size| shtaerman_audit::Problem {
             kernel,

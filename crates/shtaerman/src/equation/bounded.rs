@@ -66,6 +66,10 @@ impl shtaerman_audit::Profile for Base {
         let found = self.profile.taylor(self.given(interval), order, self.half_width);
         found.unwrap_or_default().iter().map(|range| range.size()).collect()
     }
+
+    fn looks(&self, _: [f64; 2]) -> u64 {
+        self.profile.looks()
+    }
 }
 
 impl Equation {
