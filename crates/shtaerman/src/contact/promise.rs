@@ -36,7 +36,7 @@ impl Reached {
                 Err(Error::ToleranceNotMet { tolerance, reached, method, n, settlement0, tilt0 })
             }
             None if solver.degree.is_some() || is_kept(ROUGHEST) => Ok(()),
-            None => Err(Error::NotAccurate { reached, most: ROUGHEST, method, n }),
+            None => Err(Error::NotAccurate { reached, most: ROUGHEST, method, n, roughness: None }),
         }
     }
 }

@@ -43,8 +43,17 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::solve`].
     pub fn solve_or_best(&self) -> Result<Contact, Error> {
-        let Some(timed) = self.timed() else { return self.solve_at_level() };
-        timed.ended(Self::solve_at_level)
+        let found = match self.timed() {
+            None => self.solve_at_level(),
+            Some(timed) => timed.ended(Self::solve_at_level),
+        };
+        found.map_err(|error| error.with_roughness(self.small_roughness()))
+    }
+
+    /// A roughness in place of 0 with which a solution may be found: a circular punch that leans has one only where all of it touches.
+    fn small_roughness(&self) -> Option<f64> {
+        let leans = self.bodies().is_circular() && self.load().rotational.named().1 != 0.0;
+        self.bodies().small_roughness().filter(|_| !leans)
     }
 
     /// What is found within the time of a problem that has one, which ends with it.
@@ -63,7 +72,8 @@ impl Problem {
     }
 
     fn out_of_time(&self) -> Error {
-        self.solver().time_limit().map_or(Error::WorkLimit, |limit| Error::TimeLimit { limit })
+        let of_work = Error::WorkLimit { roughness: self.small_roughness() };
+        self.solver().time_limit().map_or(of_work, |limit| Error::TimeLimit { limit })
     }
 
     /// [Solves](Self::solve) the problem unless `stop` is set meanwhile, from another thread: the search then ends at its next step, and there is no answer.

@@ -2,6 +2,7 @@
 
 mod inverse;
 mod requirement;
+mod roughness;
 mod words;
 
 pub use inverse::InverseError;
@@ -12,6 +13,7 @@ use std::time::Duration;
 use crate::document::FileError;
 use crate::expression::Defect;
 use crate::quantity::plain;
+use roughness::or_roughness;
 use words::{attempt, relative, unsolved};
 
 /// Why a problem has no answer.
@@ -107,9 +109,12 @@ pub enum Error {
 
     /// The search for an answer took more work than one may that has no limit of time.
     #[error(
-        "no answer was found with the work that a search does by itself, a few seconds of it: a `time_limit` (--time-limit) of your own in its place, such as \"1 min\", allows more; or resolve what the profile shows by fewer kinks, steps or measured points"
+        "no answer was found with the work that a search does by itself, a few seconds of it: a `time_limit` (--time-limit) of your own in its place, such as \"1 min\", allows more; or resolve what the profile shows by fewer kinks, steps or measured points{}", or_roughness(*roughness)
     )]
-    WorkLimit,
+    WorkLimit {
+        /// A roughness in place of 0 that may serve.
+        roughness: Option<f64>,
+    },
 
     /// The audit found the answer wrong.
     #[error("no answer was found that stands the audit: {reason}")]
@@ -170,7 +175,7 @@ pub enum Error {
     /// The contact of a smooth circular punch is no single disk, and there is a moment or a tilt, or the ground is graded.
     #[error(
         "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch with a moment or a tilt, or on graded ground, is solved for one disk \
-         of contact only, rings without them: leave out moment and tilt, give a small roughness instead of 0, or keep the full base in contact with contact = \"bilateral\""
+         of contact only, rings without them: leave out moment and tilt, or keep the full base in contact with contact = \"bilateral\"{}", or_roughness(*roughness)
     )]
     Rings {
         /// `x` (metres) or `xi`, the distance from the axis.
@@ -179,6 +184,8 @@ pub enum Error {
         at: f64,
         /// What says so: `tension`, `penetration`, ..
         found: &'static str,
+        /// A roughness in place of 0 that may serve.
+        roughness: Option<f64>,
     },
 
     /// A layer with a power law would pull.
@@ -239,7 +246,7 @@ pub enum Error {
     /// An answer with an error that nobody asked for.
     #[error(
         "the {method} method with n = {n} reached {}, and answers beyond {most:e} are none unless that is asked for: \
-         allow more by `tolerance`, resolve what the profile shows by fewer kinks, steps or measured points, or, if it is the audit that bounds no less, do without it (`--no-audit`, `audit=False`)", relative(*reached)
+         allow more by `tolerance`, resolve what the profile shows by fewer kinks, steps or measured points, or, if it is the audit that bounds no less, do without it (`--no-audit`, `audit=False`){}", relative(*reached), or_roughness(*roughness)
     )]
     NotAccurate {
         /// The relative error reached.
@@ -250,6 +257,8 @@ pub enum Error {
         method: &'static str,
         /// Its size.
         n: usize,
+        /// A roughness in place of 0 that may serve.
+        roughness: Option<f64>,
     },
 
     /// A bend of the profile under a smooth surface that nothing tells the power of.
@@ -262,11 +271,13 @@ pub enum Error {
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
     #[error(
         "the zones of contact, or a zone and the next period's, come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
-         a layer (roughness > 0) keeps such gaps in reach, and without the gap they are one zone"
+         without the gap they are one zone{}", or_roughness(*roughness)
     )]
     ZonesTooClose {
         /// The narrowest gap, `xi`.
         gap: f64,
+        /// A roughness in place of 0 that keeps such gaps in reach.
+        roughness: Option<f64>,
     },
 
     /// Stresses below the surface of a body whose stress field is not known.
@@ -464,7 +475,7 @@ impl Error {
                 | Self::UnclearBend
                 | Self::AuditFailed { .. }
                 | Self::TimeLimit { .. }
-                | Self::WorkLimit
+                | Self::WorkLimit { .. }
                 | Self::TooManyParts { .. }
                 | Self::TooNarrow { .. }
                 | Self::ZonesTooClose { .. }

@@ -217,7 +217,7 @@ fn a_disk_on_strongly_graded_ground_stands_without_an_audit() {
 fn a_long_search_ends_by_its_work() {
     let text = "[foundation]\nyoung_modulus = 1e9\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"periodic\"\nperiod = 2.23\nhalf_width = 1\nprofile = \"1e-3*abs(x)\"\n[load]\nsettlement = 3e-3\neccentricity = -0.6\n";
     let long = file::parse(text, "made.toml").unwrap();
-    assert_eq!(long.solve().unwrap_err(), Error::WorkLimit);
+    assert!(matches!(long.solve().unwrap_err(), Error::WorkLimit { .. }));
     let limit = std::time::Duration::from_millis(50);
     let limited = long.with_solver(Solver::default().with_time_limit(limit).unwrap());
     assert_eq!(limited.solve().unwrap_err(), Error::TimeLimit { limit });

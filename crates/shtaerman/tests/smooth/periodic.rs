@@ -92,7 +92,7 @@ fn a_wave_just_short_of_full_contact() {
         punch(1.0, move |x| -LIMIT * (PI * (x - at)).cos(), level(2.0 * LIMIT * (1.0 - 1e-9)))
             .formula(&format!("-{LIMIT}*cos(pi*x)"))
             .period(2.0);
-    assert!(matches!(narrow.refused(), Error::ZonesTooClose { gap } if gap < 1e-3));
+    assert!(matches!(narrow.refused(), Error::ZonesTooClose { gap, .. } if gap < 1e-3));
     let full = wave((1.0 - 1e-11) * LIMIT, at);
     assert!(full.complementarity().tension < 1e-10);
     close(full.pressure(at), 2.0 * LIMIT, 1e-10, &format!("{at}"));

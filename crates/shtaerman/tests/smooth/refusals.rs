@@ -43,10 +43,10 @@ fn gaps_too_narrow_are_said_to_be() {
     let refused = punch(1.0, |_| 0.0, level(1.0)).gap(1e-7).refused();
     assert!(refused.is_numerical());
     // From -1e-7 to 1e-7; of a row from one punch to the next.
-    let Error::ZonesTooClose { gap } = refused else { panic!("{refused}") };
+    let Error::ZonesTooClose { gap, .. } = refused else { panic!("{refused}") };
     assert!((gap - 2e-7).abs() < 1e-15);
     let refused = punch(1.0, |_| 0.0, level(1.0)).period(2.0 + 1e-6).refused();
-    let Error::ZonesTooClose { gap } = refused else { panic!("{refused}") };
+    let Error::ZonesTooClose { gap, .. } = refused else { panic!("{refused}") };
     assert!((gap - 1e-6).abs() < 1e-14);
 }
 

@@ -97,7 +97,7 @@ pub(super) fn count(each: f64, digits: f64) -> Option<usize> {
 /// Refuses more modes than can be coupled; `gap` is the narrowest between zones.
 pub(super) fn require_few(counts: &[usize], gap: impl FnOnce() -> f64) -> Result<(), Error> {
     if counts.iter().sum::<usize>() > MOST_MODES {
-        return Err(Error::ZonesTooClose { gap: gap().max(0.0) });
+        return Err(Error::ZonesTooClose { gap: gap().max(0.0), roughness: None });
     }
     Ok(())
 }

@@ -53,7 +53,7 @@ pub(super) fn counts(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, 
         others.map(|other| apart(ring, other)).fold(from_disk(c, ring), f64::min)
     };
     let counts: Option<_> = rings.iter().map(|ring| count(ring, nearest(ring), digits)).collect();
-    counts.ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
+    counts.ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings), roughness: None })
 }
 
 /// The same of one ring for what is so far away in the logarithm of the radius; none where that is too close.

@@ -104,7 +104,8 @@ impl Disk {
             Ok(left) if !left.penetrating.is_empty() => (left.penetrating[0][1], "penetration"),
             _ => (self.base.lowest(), "contact without the axis"),
         };
-        Error::Rings { variable: bodies.coordinate(), at: at * bodies.half_width(), found }
+        let (variable, at) = (bodies.coordinate(), at * bodies.half_width());
+        Error::Rings { variable, at, found, roughness: None }
     }
 
     /// The transform up to a radius: while zones are looked for a part of the one over the whole base where that tells it, else of the last one that reached hardly farther.

@@ -34,7 +34,8 @@ pub(super) fn counts(kernel: Kernel, zones: &[Zone], digits: f64) -> Result<Vec<
             return Ok(2);
         }
         let each = LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p();
-        modes::count(each, digits).ok_or(Error::ZonesTooClose { gap: gap.max(0.0) })
+        modes::count(each, digits)
+            .ok_or(Error::ZonesTooClose { gap: gap.max(0.0), roughness: None })
     };
     let counts = zones.iter().zip(&gaps).map(count).collect::<Result<Vec<usize>, Error>>()?;
     let narrowest = || gaps.as_flattened().iter().copied().fold(f64::INFINITY, f64::min);
@@ -109,7 +110,7 @@ fn add_image(
         source.left() + shift - target.right()
     };
     if gap.is_nan() || gap <= 0.0 {
-        return Err(Error::ZonesTooClose { gap: gap.max(0.0) });
+        return Err(Error::ZonesTooClose { gap: gap.max(0.0), roughness: None });
     }
     let half = 0.5 * source.length();
     for (row, angle) in values.chunks_exact_mut(count).zip(&rows.angles) {
