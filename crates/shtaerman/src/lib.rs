@@ -32,6 +32,7 @@
 
 pub mod answer;
 pub mod asperities;
+mod audited;
 mod bodies;
 pub mod contact;
 mod deadline;

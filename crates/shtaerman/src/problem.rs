@@ -109,6 +109,12 @@ impl Problem {
         &self.load
     }
 
+    /// A roughness in place of 0 with which a solution may be found: a circular punch that leans has one only where all of it touches.
+    pub(crate) fn small_roughness(&self) -> Option<f64> {
+        let leans = self.bodies().is_circular() && self.load().rotational.named().1 != 0.0;
+        self.bodies().small_roughness().filter(|_| !leans)
+    }
+
     /// What is prescribed, without dimensions.
     #[must_use]
     pub fn dimensionless_load(&self) -> Load {

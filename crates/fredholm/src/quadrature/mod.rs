@@ -49,6 +49,28 @@ pub fn double_exponential(half_count: usize) -> impl Iterator<Item = Node> {
     })
 }
 
+/// A rule for `int_0^1 g(d) dd` of functions that are powers of the distance `d` from the left end, or several of them that change over at distances of any order: that of Gauss with `count` nodes after
+/// `d = u^8`. It leaves of `d^-q`, `0 < q < 1`, about `count^(16 q - 16)`.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] for no nodes.
+///
+/// ```
+/// let rule = fredholm::quadrature::gauss_graded(12)?;
+/// let sum: f64 = rule.iter().map(|node| node.weight / (1e-9 + node.from_left).sqrt()).sum();
+/// assert!((sum - 2.0 * ((1.0f64 + 1e-9).sqrt() - 1e-9f64.sqrt())).abs() < 1e-7);
+/// # Ok::<(), fredholm::Error>(())
+/// ```
+pub fn gauss_graded(count: usize) -> Result<Vec<Node>, Error> {
+    let graded = |node: Node| {
+        let u = node.from_left;
+        let (from_left, from_right) =
+            (u.powi(8), node.from_right * (1.0 + u) * (1.0 + u * u) * (1.0 + u.powi(4)));
+        Node { position: from_left, from_left, from_right, weight: 8.0 * node.weight }
+    };
+    Ok(gauss_power(count, 7.0)?.into_iter().map(graded).collect())
+}
+
 /// The Gauss rule of `count` nodes for `int_0^1 g(u) u^exponent du`, exact for polynomials `g` up to the degree `2 count - 1`, with nodes and weights accurate relative to
 /// themselves.
 ///

@@ -3,7 +3,7 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Bound, DiskProblem, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, DiskProblem, Prescribed, Refusal};
 
 use super::ground::SHARP;
 use super::parts::{DEGREE, RESOLVED};
@@ -11,8 +11,9 @@ use super::posed::{GRADED, Posed, posed};
 use super::promise::ROUGHEST;
 use super::unaudited::Unaudited;
 use super::{Accuracy, ErrorKind};
+use crate::audited::{EnclosedBase, prescribed};
 use crate::rounding::OF_A_VALUE;
-use crate::{Contact, ContactKind, Error, Load, Problem, Rotational};
+use crate::{Contact, ContactKind, Error, Rotational};
 
 /// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.
 const IN_THE_MEAN: f64 = 1e-3;
@@ -53,30 +54,6 @@ impl Audit {
 
 /// A way to bound the errors of an answer.
 type Auditor = fn(&shtaerman_audit::Problem<'_>, &Answer<'_>) -> Result<Bound, Refusal>;
-
-/// The base of a problem, enclosed.
-struct Base<'a>(&'a Problem);
-
-impl Profile for Base<'_> {
-    fn height(&self, x: f64) -> [f64; 2] {
-        (self.0.dimensionless_enclosure_at(x))
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
-    }
-
-    fn range(&self, interval: [f64; 2]) -> [f64; 2] {
-        (self.0.dimensionless_enclosure(interval))
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
-    }
-
-    fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64> {
-        let found = self.0.dimensionless_taylor(interval, order).unwrap_or_default();
-        found.iter().map(|range| range.lower().abs().max(range.upper().abs())).collect()
-    }
-
-    fn looks(&self, _: [f64; 2]) -> u64 {
-        self.0.profile().looks()
-    }
-}
 
 /// A bound of plane contact, or an estimate of another.
 const BOUND: &str = "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found";
@@ -211,7 +188,7 @@ impl Contact {
         let bodies = problem.bodies();
         let scaled = |size: f64| if bodies.scaling().is_some() { size } else { 0.0 };
         let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
-        let profile = &Base(problem);
+        let profile = &EnclosedBase(problem);
         let pieces = bodies.pieces();
         let plane = |kernel, ground, strength: f64, size| shtaerman_audit::Problem {
             kernel,
@@ -330,25 +307,10 @@ impl Contact {
     }
 }
 
-/// What the load prescribes; of a settlement with an eccentricity the answer's own force and moment instead, which is told.
-fn prescribed(load: &Load, force: f64, moment: f64) -> (Prescribed, bool) {
-    let given = load.vertical.force();
-    let moment = match (load.rotational, given) {
-        (Rotational::Tilt(_), _) => None,
-        (Rotational::Moment(moment), _) => Some(moment),
-        (Rotational::Eccentricity(e), Some(force)) => Some(e * force),
-        (Rotational::Eccentricity(0.0), None) => Some(0.0),
-        (Rotational::Eccentricity(_), None) => {
-            return (Prescribed { force: Some(force), moment: Some(moment) }, true);
-        }
-    };
-    (Prescribed { force: given, moment }, false)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Foundation, LayerBase, Layering, Profile, Punch, Vertical};
+    use crate::{Foundation, LayerBase, Layering, Load, Problem, Profile, Punch, Vertical};
 
     fn contact(thickness: f64, vertical: Vertical) -> Contact {
         let layering =

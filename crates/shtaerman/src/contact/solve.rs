@@ -50,12 +50,6 @@ impl Problem {
         found.map_err(|error| error.with_roughness(self.small_roughness()))
     }
 
-    /// A roughness in place of 0 with which a solution may be found: a circular punch that leans has one only where all of it touches.
-    fn small_roughness(&self) -> Option<f64> {
-        let leans = self.bodies().is_circular() && self.load().rotational.named().1 != 0.0;
-        self.bodies().small_roughness().filter(|_| !leans)
-    }
-
     /// What is found within the time of a problem that has one, which ends with it.
     fn ended(&self, found: impl FnOnce(&Self) -> Result<Contact, Error>) -> Result<Contact, Error> {
         let found = found(self);

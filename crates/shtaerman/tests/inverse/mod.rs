@@ -6,6 +6,7 @@ mod crown;
 mod datum;
 mod force_and_roughness;
 mod geometries;
+mod graded_widths;
 mod hostile;
 mod prescribed;
 mod sensitivities;

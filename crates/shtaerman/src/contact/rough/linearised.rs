@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use super::frame::{Direction, Frame};
 use super::nodes::{Field, Response};
-use super::solved::{AtEnds, Solved};
+use super::solved::Solved;
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
@@ -22,19 +22,6 @@ use crate::{Error, Load};
 
 /// The first-order changes by the three inputs, each with what is rounding of it.
 pub(super) type Changes = [[Rates; 2]; 3];
-
-/// A free edge.
-struct Edge {
-    /// What the layer answers there.
-    layer: [f64; 3],
-    /// `dv/dxi` outwards.
-    slope: f64,
-    /// The rounding of that.
-    noise: f64,
-}
-
-/// The length of a zone, one of its sides, where it ends there and where its panels do.
-type FreeEnd = (f64, usize, f64, f64);
 
 /// A resolution of a solution.
 pub(super) struct Known<'k, F> {
@@ -48,7 +35,7 @@ pub(super) struct Known<'k, F> {
 
 impl<F: Field> Known<'_, F> {
     /// What the layer answers at a place.
-    fn layer(&self, xi: f64) -> [f64; 3] {
+    pub(super) fn layer(&self, xi: f64) -> [f64; 3] {
         let right = [-(self.displacement)(xi), 1.0, -self.frame.local(xi)];
         [0, 1, 2].map(|k| right[k] - self.parts[k].field.at(xi))
     }
@@ -75,9 +62,9 @@ impl<F: Field> Known<'_, F> {
             // An image on the other side of the axis moves along.
             let sides = if is_disk { 2.0 } else { 1.0 };
             for edge in &edges {
-                let moved = -sides * of(&edge.layer) / edge.slope;
-                width += moved;
-                width_noise += (sides * noise + moved.abs() * edge.noise) / edge.slope.abs();
+                let [moved, off] = edge.moved_by(&of, noise);
+                width += sides * moved;
+                width_noise += sides * off;
             }
             let state = self.frame.changes(&Direction::sum(&sum));
             let rates = [state.settlement, state.force, state.tilt, modulus * of(&at_peak), width];
@@ -90,43 +77,6 @@ impl<F: Field> Known<'_, F> {
             change(0.0, [1.0, 0.0])?,
             if rotates { change(0.0, [0.0, 1.0])? } else { none },
         ])
-    }
-
-    /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
-    fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
-        let zones = &solved.nodes.zones;
-        let AtEnds { layer, off } = solved.at_ends;
-        let (exponent, rounding) = (solved.ground.exponent(), solved.rounding());
-        // Where the layer is thin the slope changes within a length 1/theta0: beside an end that is off as the logarithm of the distance, on graded ground as a power of it, and so does what the layer answers.
-        let left = |slope: f64| {
-            if exponent == 0.0 {
-                return rounding - 2.0 * f64::EPSILON.ln() * layer;
-            }
-            let off = off.max(rounding / slope.abs()).max(f64::EPSILON);
-            off.powf(-exponent) * (rounding + SAFETY * SAFETY * layer)
-        };
-        let of_layer = solved.strength * solved.layer.slope(solved.deepest());
-        let edge = |((length, side, at, end), [body, added]): (FreeEnd, [f64; 2])| {
-            let (tilt, profile) = (solved.state.tilt, surface.slope(at));
-            let size = tilt.abs() + profile.abs() + added;
-            let slope = -tilt - profile - body;
-            let slope = if side == 0 { -slope } else { slope };
-            // In a short zone it changes with the place itself.
-            let bent = SAFETY * off / length * slope.abs();
-            let noise = ROUNDING * size + of_layer * left(slope) + bent;
-            Edge { layer: self.layer(end), slope, noise }
-        };
-        // What the layer answers ends with its panels, beside which it changes as a power of the distance.
-        let of_zone = |zone: &Zone| {
-            let (length, own) = (zone.length(), solved.nodes.panels_of(zone));
-            let panels = [own.start, own.end.saturating_sub(1)].map(|k| solved.nodes.panels.get(k));
-            zone.free_ends().map(move |(side, at)| {
-                (length, side, at, panels[side].map_or(at, |ends| ends[side]))
-            })
-        };
-        let ends: Vec<FreeEnd> = zones.iter().flat_map(of_zone).collect();
-        let slopes = solved.slopes(&ends.iter().map(|(_, _, at, _)| *at).collect::<Vec<_>>());
-        ends.into_iter().zip(slopes).map(edge).collect()
     }
 }
 

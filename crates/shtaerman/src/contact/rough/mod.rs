@@ -10,6 +10,7 @@ mod check;
 mod coarse;
 mod crests;
 mod frame;
+mod free_edges;
 mod layer;
 mod linearised;
 mod newton;
