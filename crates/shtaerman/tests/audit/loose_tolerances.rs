@@ -65,6 +65,16 @@ fn waves_that_two_numbers_of_nodes_miss() {
     }
 }
 
+/// Where waves are missed the ends of the contact are off, and on them the stiffness depends; under a layer that bends on the pressure itself.
+#[test]
+fn stiffness_where_waves_are_missed() {
+    for (text, tolerance) in
+        [(WAVES_OF_A_ROW, 0.5), (WAVES_UNDER_A_LAW, 1e-2), (WAVES_ON_GRADED_GROUND, 0.5)]
+    {
+        agree(text, tolerance);
+    }
+}
+
 /// Two resolutions agree where neither was solved any further than the one before.
 #[test]
 fn panels_that_are_hardly_solved() {
@@ -329,5 +339,41 @@ inner_half_gap = 0.8852310521216439
 profile = "0.0008596283108138392*(x/1.3215687512021308)^4 + -0.0006642645462876437*abs((x-0.7291362124685298)/1.3215687512021308)^0.5"
 [load]
 force = 1485249.6982352042
+moment = 0
+"#;
+const WAVES_OF_A_ROW: &str = r#"[foundation]
+young_modulus = 196209133.82445243
+poisson_ratio = 0.36266887562775374
+roughness = 9.061846399949954e-11
+[punch]
+geometry = "periodic"
+period = 0.036976719984453156
+half_width = 0.01
+profile = "2.7581726291539036e-06*xi^2+1.3545703942277862e-12*cos(794.0391670153814*xi+4.951342194308438)+1.2278350876042612e-12*cos(842.1435890603495*xi+0.28987346569115263)"
+[load]
+force = 18.11067282973006
+tilt = 0
+"#;
+const WAVES_UNDER_A_LAW: &str = r#"[foundation]
+young_modulus = 10760337429.720736
+poisson_ratio = 0.3679291977712459
+roughness = { coefficient = 4.5016009903943936e-10, exponent = 0.8 }
+[punch]
+half_width = 0.3
+profile = "0.0003167801976411455*xi^2+3.91712333067614e-09*cos(79.85319096051445*xi+4.553649722884557)+7.488313906841065e-09*cos(367.7149027687087*xi+0.2998152704547027)"
+[load]
+force = 112338.00735330889
+moment = 0
+"#;
+const WAVES_ON_GRADED_GROUND: &str = r#"[foundation]
+grading_exponent = 0.47
+grading_modulus = 6081401748.164263
+poisson_ratio = 0.4531901925908732
+roughness = { coefficient = 4.772002517418024e-09, exponent = 0.4 }
+[punch]
+half_width = 0.037
+profile = "4.6004473962986426e-07*xi^2+9.389704041509658e-13*cos(539.805887512653*xi+3.032129441007349)"
+[load]
+force = 16.449465049693146
 moment = 0
 "#;

@@ -54,7 +54,7 @@ impl<F: Field> RoughContact<F> {
     pub(super) fn new(base: &Base, mut solved: Solved<F>, left: &Check) -> Result<Self, Error> {
         let mut stiffness = solved.stiffness();
         let (tilted, turning_error) = turned(base, &mut solved, &mut stiffness)?;
-        let Stated { accuracy, edge: edge_error } = solved.stated_with_kernel(base, &stiffness);
+        let Stated { accuracy, edge: edge_error, .. } = solved.stated_with_kernel(base, &stiffness);
         let Check { tension, penetration, missed, .. } = *left;
         let accuracy = accuracy.with_left(missed, &stiffness);
         let accuracy = Accuracy {

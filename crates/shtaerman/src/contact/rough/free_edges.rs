@@ -4,7 +4,7 @@ use fredholm::quadrature::gauss_graded;
 
 use super::linearised::Known;
 use super::nodes::Field;
-use super::solved::{AtEnds, BESIDE, Solved};
+use super::solved::{BESIDE, Solved};
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::zones::Zone;
@@ -51,7 +51,7 @@ impl<F: Field> Known<'_, F> {
     /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
     pub(super) fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
         let zones = &solved.nodes.zones;
-        let AtEnds { layer, off } = solved.at_ends;
+        let (layer, off) = (solved.at_ends.layer, solved.ends_off());
         let (exponent, rounding) = (solved.ground.exponent(), solved.rounding());
         // Where the layer is thin the slope changes within a length 1/theta0: beside an end that is off as the logarithm of the distance, on graded ground as a power of it, and so does what the layer answers.
         let left = |slope: f64| {
@@ -111,7 +111,7 @@ impl<F: Field> Known<'_, F> {
             solved.layer_at(xi, surface.height(xi))
         };
         let (rounding, beside) = (solved.rounding(), BESIDE * length);
-        let off = solved.at_ends.off.max(rounding * beside / layer_at(beside)).max(f64::EPSILON);
+        let off = solved.ends_off().max(rounding * beside / layer_at(beside)).max(f64::EPSILON);
         // There as little is left by it as by the square of the distance.
         let distance = (off * length * length).cbrt().min(beside);
         let rule = gauss_graded(NODES).ok()?;

@@ -100,21 +100,21 @@ pub(super) fn linearised<F: Field>(
     let levels = solved.coarser.iter().chain([solved]);
     let levels: Vec<Changes> = levels.filter_map(changes).collect();
     let Linearised { rates, mut errors } = compared(&levels, F::RATIO)?;
-    let left = SAFETY * left_by_ends(solved);
+    let left = SAFETY * left_by_answer(solved);
     for (errors, rates) in errors.iter_mut().zip(&rates) {
         errors.iter_mut().zip(rates).for_each(|(error, rate)| *error += left * rate.abs());
     }
     Some(Linearised { rates, errors })
 }
 
-/// What free ends that are off leave of what responses carry, as a share: one that is off by `e` changes what a response `v_j` carries against another by `e v_j v_k` (Hadamard's formula). Beside a free end a layer that bends
-/// carries nothing.
-fn left_by_ends<F: Field>(solved: &Solved<F>) -> f64 {
-    let (off, frame) = (solved.at_ends.off, &solved.nodes.frame);
-    let Some(responses) = solved.responses.as_ref().filter(|_| off > 0.0) else { return 0.0 };
+/// What an answer that is off leaves of what responses carry, as a share. A free end that is off by `e` changes what a response `v_j` carries against another by `e v_j v_k` (Hadamard's formula). Beside a free end a layer that bends
+/// carries nothing, but its slope `dp/dv`, a power of the pressure, is off by `1 - kappa` times the share by which the pressure is.
+fn left_by_answer<F: Field>(solved: &Solved<F>) -> f64 {
     if !solved.layer.is_linear() {
-        return 0.0;
+        return (1.0 - solved.layer.exponent()) * solved.noise();
     }
+    let (off, frame) = (solved.ends_off(), &solved.nodes.frame);
+    let Some(responses) = solved.responses.as_ref().filter(|_| off > 0.0) else { return 0.0 };
     let is_disk = solved.ground.is_disk();
     let gained = |k: usize, right: &dyn Fn(f64) -> f64| -> f64 {
         let ends = solved.nodes.zones.iter().flat_map(Zone::free_ends);
@@ -184,6 +184,6 @@ pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness>
         }
         _ => SAFETY * change,
     };
-    let error = error.max(ROUNDING * largest) + SAFETY * left_by_ends(solved) * largest;
+    let error = error.max(ROUNDING * largest) + SAFETY * left_by_answer(solved) * largest;
     Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
 }

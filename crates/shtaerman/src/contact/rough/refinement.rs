@@ -35,7 +35,7 @@ pub(super) fn refined<F: Field>(
             finer.stated = stated(base, &finer, is_far, [&before, &change]);
             // What is looked for only of an answer that may be the last.
             if is_over || finer.known_to() <= tolerance {
-                finer.stated = finer.with_missed_waves(base);
+                finer.count_missed_waves(base);
             }
             ends |= finer.known_to() <= tolerance;
             ends |= F::RATIO.is_some() && is_settled(&finer, &before, &change);
@@ -56,7 +56,7 @@ pub(super) fn refined<F: Field>(
     }
     levels.truncate(best + 1);
     let mut found = levels.remove(best);
-    found.stated = found.with_missed_waves(base);
+    found.count_missed_waves(base);
     let told = if is_far { 1 } else { 2 };
     found.coarser = levels.split_off(best.saturating_sub(told));
     Ok(found)
@@ -121,8 +121,9 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, is_far: bool, changes: [&Chan
     let accuracy = Accuracy { pressure, ..accuracy };
     let is_unknown = F::RATIO.is_none() && base.smoothness == Smoothness::Unknown;
     let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
+    let off = edge / SAFETY;
     let edge = edge.max(fine.rounding() / fine.gentlest(base)) + SAFETY * fine.at_ends.off;
-    let stated = Stated { accuracy, edge };
+    let stated = Stated { accuracy, edge, off };
     // Two resolutions may agree because neither was solved any further.
     let missed = fine.unsolved * fine.deepest() + fine.missed_at_tips(base);
     fine.raised(stated, missed, &fine.stiffness())
@@ -155,7 +156,7 @@ impl<F: Field> Solved<F> {
         let pressure = stated.accuracy.pressure + 2.0 * missed * self.layer.slope(self.deepest());
         let longest = self.nodes.zones.iter().map(Zone::length).fold(0.0, f64::max);
         let edge = stated.edge + missed * longest / self.deepest();
-        Stated { accuracy: Accuracy { pressure, ..raised }, edge }
+        Stated { accuracy: Accuracy { pressure, ..raised }, edge, ..stated }
     }
 
     /// The least slope of the layer beside a free end; infinite where there is none.
@@ -170,18 +171,18 @@ impl<F: Field> Solved<F> {
         ends.fold(f64::INFINITY, f64::min)
     }
 
-    /// What is stated with what nodes miss of the pressure between them: small fast waves of the profile look alike on several numbers of nodes, of which no difference then tells.
+    /// States, too, what nodes miss of the pressure between them: small fast waves of the profile look alike on several numbers of nodes, of which no difference then tells.
     ///
     /// The pressure by the equation has all waves of the profile, but the potential of what stands for it on the nodes. Where that misses `m`, `(1 + theta K) e = -theta K m` and a line that
     /// carries as much, so that `e` is no larger in the mean square than `m`, and forces are off by `m` on the zones.
-    fn with_missed_waves(&self, base: &Base) -> Stated {
-        let Stated { accuracy, edge } = self.stated;
+    fn count_missed_waves(&mut self, base: &Base) {
+        let Stated { accuracy, edge, off } = self.stated;
         if F::RATIO.is_none() || accuracy.pressure <= AIM * self.largest() {
-            return self.stated;
+            return;
         }
         let inside: Vec<f64> = between_nodes(PLACES).filter(|y| y.abs() < 1.0).collect();
         let places: Vec<f64> = self.nodes.on_panels(&inside).collect();
-        let Some(told) = self.field.pressures(&places) else { return self.stated };
+        let Some(told) = self.field.pressures(&places) else { return };
         let layers = self.layers_at(&base.points(places)).into_iter().zip(told);
         let missed = layers.map(|(layer, told)| (self.layer.pressure(layer) - told).powi(2));
         // The places lie alike in the angle; a ring is as long as its radius.
@@ -198,8 +199,9 @@ impl<F: Field> Solved<F> {
         let Stiffness { force_settlement, moment_tilt, .. } = self.stiffness();
         let by = [carried / force_settlement, carried / moment_tilt, carried, carried];
         let pressure = accuracy.pressure.max(2.0 * missed);
-        let edge = edge.max(missed / self.layer.slope(self.deepest()) / self.gentlest(base));
-        Stated { accuracy: Accuracy { pressure, ..accuracy.open(by, f64::max) }, edge }
+        let moved = missed / self.layer.slope(self.deepest()) / self.gentlest(base);
+        let accuracy = Accuracy { pressure, ..accuracy.open(by, f64::max) };
+        self.stated = Stated { accuracy, edge: edge.max(moved), off: off.max(moved) };
     }
 
     /// What polynomials miss of the profile on the panels at its bends, in the displacement there: at sharp tips these are as short as places are rounded at all finenesses, so that no difference tells.

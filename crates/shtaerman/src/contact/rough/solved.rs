@@ -58,6 +58,8 @@ pub(super) struct Stated {
     pub(super) accuracy: Accuracy,
     /// Of the free ends, in `xi`.
     pub(super) edge: f64,
+    /// How far these are off by what the nodes miss: nothing where zones are those of the pressure of all nodes that there are.
+    pub(super) off: f64,
 }
 
 impl Stated {
@@ -66,7 +68,7 @@ impl Stated {
         let [pressure, settlement, tilt, force, moment] = [f64::INFINITY; 5];
         let kind = ErrorKind::Estimate;
         let accuracy = Accuracy { kind, pressure, settlement, tilt, force, moment };
-        Self { accuracy, edge: f64::INFINITY }
+        Self { accuracy, edge: f64::INFINITY, off: 0.0 }
     }
 }
 
@@ -190,6 +192,11 @@ impl<F: Field> Solved<F> {
             parts.fold([0.0; 2], |[sum, size], part| [sum + part, size + part.abs()])
         };
         self.field.slopes(places).unwrap_or_else(|| places.iter().map(slope_at).collect())
+    }
+
+    /// How far free ends are off: from where the layer would vanish there, and by what nodes miss.
+    pub(super) fn ends_off(&self) -> f64 {
+        self.at_ends.off.max(self.stated.off)
     }
 
     /// The largest displacement of the layer, of either sign, at the free ends.
