@@ -1,6 +1,6 @@
 //! Sensitivities by central differences of complete solves.
 
-use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use super::{Derivatives, QUANTITIES, Sensitivities, Values, errors, values};
 use crate::bodies::Bodies;
 use crate::{Contact, Error, Problem, Roughness, Vertical};
 
@@ -29,10 +29,10 @@ impl Contact {
         if !self.is_as_stated() {
             return self.stated().difference_sensitivities();
         }
-        // What is off in all of the answers alike shows in no difference.
+        // What is off in all of the answers alike shows in no difference: no derivative is known better than the solution.
         let floor = Derivatives { error: self.known_to(), ..Derivatives::default() };
         let mut found = [floor; QUANTITIES];
-        let values = values(self);
+        let (values, errors) = (values(self), errors(self));
         for parameter in parameters(self.problem()) {
             let (at, step) = self.parameter(parameter);
             let derivatives = self.derivatives(parameter, at, step)?;
@@ -46,7 +46,7 @@ impl Contact {
                     (Parameter::Vertical, Vertical::Settlement(_)) => slot.settlement = Some(value),
                 }
                 let size = values[k].abs().max((value * at).abs()).max(f64::MIN_POSITIVE);
-                slot.error = slot.error.max(error * step / STEP / size);
+                slot.error = slot.error.max((error * step / STEP).max(errors[k]) / size);
             }
         }
         Ok(Sensitivities::assembled(self, found))
