@@ -126,6 +126,9 @@ impl PartialEq for Rings {
 }
 
 impl Rings {
+    /// From this exponent on the rule of the panel at the axis loses so many digits that few problems gain by panels (survey: of 45 traces and many-waved bases between 1/2 and 3/4 four know less or are refused, all of them above 2/3).
+    pub const SHARPEST: f64 = 2.0 / 3.0;
+
     /// Those of a kernel on a disk, of the order 0 or 1.
     ///
     /// # Errors

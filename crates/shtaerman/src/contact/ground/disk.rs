@@ -9,7 +9,7 @@ use fredholm::kernel::{Kernel, WeberSonine};
 use fredholm::multipole::{PanelKernel, Rings};
 
 use super::shared::{disk_harmonic, disk_operator};
-use super::{Ground, Hull, SHARP, SharedKernel, smooth_means};
+use super::{Ground, Hull, SharedKernel, smooth_means};
 use crate::Error;
 
 #[derive(Debug)]
@@ -88,8 +88,8 @@ impl Ground for Disk {
     }
 
     fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
-        // The rule of the panel at the axis loses the digits of a sharper power.
-        (self.exponent() < SHARP).then(|| (PanelKernel::Ring(self.rings.clone()), 1.0))
+        let serves = self.exponent() < Rings::SHARPEST;
+        serves.then(|| (PanelKernel::Ring(self.rings.clone()), 1.0))
     }
 
     fn panel_share(&self) -> f64 {
