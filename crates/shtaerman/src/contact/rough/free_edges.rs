@@ -35,8 +35,8 @@ impl Edge {
     }
 }
 
-/// Nodes of means beside an edge: they leave `NODES^-8` of a power of the distance above -1/2.
-const NODES: usize = 12;
+/// Nodes of means beside an edge, where what the layer answers goes on as powers of the distance from -1/2 to 0: they leave less than `NODES^-4`.
+const NODES: usize = 20;
 
 /// The length of a zone and of its panel at an end, the side, where it ends there and where its panels do.
 struct FreeEnd {
@@ -129,7 +129,9 @@ impl<F: Field> Known<'_, F> {
             moved: [0, 1, 2].map(|k| 2.0 * near[k] - far[k]),
             change: [0, 1, 2].map(|k| near[k] - far[k]),
             slope: layer_at(distance) / distance,
-            noise: SAFETY * (share * share + off / distance) + rounding / layer_at(distance).abs(),
+            noise: SAFETY * (share * share + off / distance)
+                + (NODES as f64).powi(-4)
+                + rounding / layer_at(distance).abs(),
         })
     }
 }
