@@ -58,7 +58,7 @@ pub(super) struct Stated {
     pub(super) accuracy: Accuracy,
     /// Of the free ends, in `xi`.
     pub(super) edge: f64,
-    /// How far these are off by what the nodes miss: nothing where zones are those of the pressure of all nodes that there are.
+    /// How far these are off by what the nodes miss, rounding aside: as other numbers of nodes tell it, and waves between the nodes.
     pub(super) off: f64,
 }
 
