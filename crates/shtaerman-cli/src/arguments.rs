@@ -139,7 +139,7 @@ pub struct SolveArguments {
     /// Add surface displacement and gap at this number of points from -3a to 3a (JSON; in CSV in place of the pressure curve).
     #[arg(long, value_name = "COUNT", conflicts_with = "at")]
     pub surface: Option<usize>,
-    /// Add how settlement and largest pressure change with roughness, modulus and load (estimated); JSON has it anyway but on cells or panels, where it takes eighteen more solves.
+    /// Add how settlement and largest pressure change with roughness, modulus and load (estimated); JSON has it anyway, but where it takes eighteen more solves: under coatings, on cells, and where the pressure is largest at a corner on strongly graded ground.
     #[arg(long)]
     pub sensitivities: bool,
     /// Solve for several values of a key, such as load.force="0.1..2 MN/m:20" (with :log behind it for a logarithmic scale) or foundation.roughness="1e-15,1e-14 m/Pa"; given again, for all

@@ -72,9 +72,21 @@ impl Conjugate {
 
     /// The slope as a short series by equally spaced samples, if it is one.
     pub fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
-        let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
+        let resolved = Harmonics::sampled(profile, is_odd)?;
+        let rounding = profile.rounding(resolved.heights, resolved.largest);
+        Some(Self::of_series(resolved, is_odd, rounding))
+    }
+
+    /// That of a flat base, which is nothing.
+    #[must_use]
+    pub fn flat() -> Self {
+        Self::of_series(Resolved::default(), true, 0.0)
+    }
+
+    fn of_series(resolved: Resolved, is_odd: bool, rounding: f64) -> Self {
+        let Resolved { series, mean, largest, .. } = resolved;
         let error = ROUNDING * largest;
-        Some(Self {
+        Self {
             panels: Vec::new(),
             is_odd,
             jumps: Vec::new(),
@@ -83,11 +95,11 @@ impl Conjugate {
             mean,
             error,
             end_error: error,
-            mode_error: error + profile.rounding(heights, largest),
+            mode_error: error + rounding,
             largest,
             series: Some(series),
             first: OnceLock::new(),
-        })
+        }
     }
 
     /// The slope on panels.

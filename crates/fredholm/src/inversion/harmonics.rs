@@ -7,7 +7,7 @@ use super::accuracy::{GOLDEN, ROUNDING};
 use super::angular::Angular;
 
 /// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Harmonics {
     /// `k f_k` from `k = 1`.
     cosines: Vec<f64>,
@@ -16,6 +16,7 @@ pub struct Harmonics {
 }
 
 /// What equally spaced samples tell of a smooth profile.
+#[derive(Default)]
 pub(crate) struct Resolved {
     pub(super) series: Harmonics,
     /// Mean of `f` over the angle.

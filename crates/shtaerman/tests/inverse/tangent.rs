@@ -176,6 +176,25 @@ fn several_zones_and_rows() {
     }
 }
 
+/// Rings on a smooth surface, with kinks and without; those leave to the width what modes do not tell.
+#[test]
+fn smooth_rings() {
+    for (profile, stated, off) in [
+        ("2e-6*cos(3*pi*abs(x)/a + 1)", 2e-7, 2e-7),
+        ("2e-6*cos(5*pi*x/a) + x^2/20", 2e-7, 2e-7),
+        ("2e-6*abs(abs(x)/a - 0.4)", 0.3, 0.02),
+        ("1e-6*abs(abs(x)/a - 0.3) + 1e-6*cos(4*pi*x/a)", 0.3, 0.02),
+    ] {
+        for load in [forced(300.0, Rotational::Moment(0.0)), settled(Rotational::Tilt(0.0))] {
+            let problem = problem(DISK, Roughness::Smooth, profile, load);
+            let contact = problem.solve().unwrap();
+            let found = contact.tangent_sensitivities().unwrap();
+            assert!(found.contact_width.error <= stated, "{profile}: {found:?}");
+            agree(&problem, off);
+        }
+    }
+}
+
 /// A wave that is moved changes nothing, whether its crest lies within the period about the origin or its zone reaches beyond it.
 #[test]
 fn moved_waves_have_the_same_derivatives() {

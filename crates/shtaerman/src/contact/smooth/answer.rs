@@ -125,17 +125,11 @@ impl<P: Pressure> SmoothContact<P> {
 
     /// Rates with what they may be off by, for changes of what the load prescribes.
     /// `units` are those by a depth and a turn of 1.
-    fn rates(
-        &self,
-        load: &Load,
-        prescribed: [f64; 2],
-        units: &[P; 2],
-        peak: f64,
-    ) -> Option<[Rates; 2]> {
+    fn rates(&self, load: &Load, prescribed: [f64; 2], units: &[P; 2], peak: f64) -> [Rates; 2] {
         let stiffness = self.solved.stiffness();
         let [raise, turn] = stiffness.displaced(load, prescribed);
         let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
-        let change = self.solved.change(raise, turn)?;
+        let change = self.solved.change(raise, turn);
         let touching = self.touching(self.base.located(peak));
         let touching = touching.filter(|_| self.pressure(peak).is_finite());
         let pressure = |change: &P| {
@@ -159,7 +153,7 @@ impl<P: Pressure> SmoothContact<P> {
         }
         let rates = [raise, force, -turn, pressure(&change), width[0]];
         let of_pressure = off[0] * pressure(&units[0]).abs() + off[1] * pressure(&units[1]).abs();
-        Some([rates, [off[0], off[2], off[1], of_pressure, width[1]]])
+        [rates, [off[0], off[2], off[1], of_pressure, width[1]]]
     }
 
     /// What raise, turn and force of a change are off by as free ends are: one that is off by `e` changes what a displacement carries against another by `MOVED theta0 K_j K_k e`, `K` their
@@ -324,11 +318,11 @@ impl<P: Pressure> Solution for SmoothContact<P> {
             // That no moment is asked for means that a wave cannot tilt.
             load.rotational = self.base.load.rotational;
         }
-        let units = [self.solved.change(1.0, 0.0)?, self.solved.change(0.0, 1.0)?];
-        let [by_force, force_error] = self.rates(&load, [1.0, 0.0], &units, peak)?;
+        let units = [self.solved.change(1.0, 0.0), self.solved.change(0.0, 1.0)];
+        let [by_force, force_error] = self.rates(&load, [1.0, 0.0], &units, peak);
         let turns = !matches!(load.rotational, Rotational::Eccentricity(_));
         let [by_moment, moment_error] =
-            if turns { self.rates(&load, [0.0, 1.0], &units, peak)? } else { [[0.0; 5]; 2] };
+            if turns { self.rates(&load, [0.0, 1.0], &units, peak) } else { [[0.0; 5]; 2] };
         let largest = self.pressure(peak);
         let own = [self.state.force, if largest.is_finite() { largest } else { 0.0 }];
         let errors = smooth_rates(&load, [0.0; 2], [force_error, moment_error]);

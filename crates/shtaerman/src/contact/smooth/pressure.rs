@@ -91,8 +91,8 @@ pub(in crate::contact) trait Pressure:
     /// Rounding of settlement and tilt by that of the heights.
     fn displacement_rounding(&self) -> [f64; 2];
 
-    /// What a settlement and a turn, minus a tilt, of a flat base add on these zones; none where only differences of solutions tell.
-    fn change(&self, raise: f64, turn: f64) -> Option<Self>;
+    /// What a settlement and a turn, minus a tilt, of a flat base add on these zones.
+    fn change(&self, raise: f64, turn: f64) -> Self;
 
     /// Number of unknowns.
     fn unknowns(&self) -> usize;

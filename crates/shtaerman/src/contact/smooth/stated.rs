@@ -45,7 +45,7 @@ pub(super) fn estimate<F: FirstKind>(
             let there = other.as_ref().map_or(f64::INFINITY, |o| o.density(j, side).value);
             // All zones are one system, rounded as the largest, and a height that is rounded presses or relieves its zone.
             let shared = SAFETY * f64::EPSILON * solved.end(j, side).scale;
-            let of_level = level.as_ref().map_or(0.0, |level| level.density(j, side).value);
+            let of_level = level.density(j, side).value;
             let height = equation.base().height_in(zone.ends, at);
             let raised = 0.5 * ROUNDING * (state.settlement.abs() + height.abs()) * of_level.abs();
             let density =

@@ -1,7 +1,7 @@
 //! A ring with its pressure.
 
 use crate::rounding::OF_A_VALUE;
-use std::f64::consts::{LN_2, PI};
+use std::f64::consts::{LN_2, PI, TAU};
 use std::sync::Arc;
 
 use fredholm::inversion::{Angular, Conjugate, RingKernel};
@@ -11,6 +11,7 @@ use super::super::base::Base;
 use super::super::modes::{bend, bend_of_cut, cosines, left_over};
 use super::coupling::RingNodes;
 use super::ring::{Ring, distance};
+use crate::contact::accuracy::SAFETY;
 
 #[derive(Debug, Clone)]
 pub(super) struct RingPart {
@@ -59,13 +60,22 @@ impl RingPart {
         self.density(if side == 0 { PI } else { 0.0 })
     }
 
-    /// By how much that falls as the edge moves outwards of the ring, over the radius, with its error.
+    /// By how much that falls as the edge moves outwards of the ring, over the radius, with its error: beside a kink of the base the modes go as `k^-3`, so that those of the bend that are left out
+    /// are of the size of what the last half of them makes of it, from whatever mode on; where a kink is nearer than a wave of the last mode, as much larger.
     pub(super) fn fall(&self, side: usize) -> [f64; 2] {
         let end = if side == 0 { PI } else { 0.0 };
         let ring = self.ring();
         let scale = 2.0 * ring.half * ring.zone.ends[side];
-        let known = [self.slope.reach(end), self.rounding(Conjugate::end_error)];
-        bend(|angle| self.density(angle), end, known).map(|bend| bend / scale)
+        let reach = self.slope.reach(end);
+        let known = [reach, self.rounding(Conjugate::end_error)];
+        let [bend, error] = bend(|angle| self.density(angle), end, known);
+        let (n, mut sum, mut cut) = (self.count(), 0.0, 0.0_f64);
+        for k in (n / 2..n).rev() {
+            sum += (k * k) as f64 * self.smooth[k] * (k as f64 * end).cos();
+            cut = cut.max(sum.abs());
+        }
+        let cut = SAFETY * cut * (TAU / (n as f64 * reach)).max(1.0);
+        [bend, error + cut].map(|bend| bend / scale)
     }
 
     /// The same for Newton's method: beside a kink of the base the modes end before they are small.

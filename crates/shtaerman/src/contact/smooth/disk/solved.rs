@@ -36,6 +36,8 @@ pub(in super::super) struct Solved {
     pub(super) zones: Vec<Zone>,
     pub(super) core: Option<Core>,
     parts: Vec<RingPart>,
+    /// The modes of the rings under a flat base one deep.
+    flat: Arc<Modes>,
     theta0: f64,
     state: State,
     /// Without what rings add against a tilt.
@@ -74,12 +76,13 @@ impl Solved {
             }
         }
         let all: Vec<&RingNodes> = nodes.iter().collect();
-        let found = coupled(kernel, (c, detail.digits), &all, &[levels.clone(), heights])?;
-        let (level, profile) = (&found[0], &found[1]);
+        let mut found = coupled(kernel, (c, detail.digits), &all, &[levels.clone(), heights])?;
+        let level = std::mem::take(&mut found[0]);
+        let profile = &found[1];
         let theta0 = base.setting.theta0();
         let weight = kernel.weight() / theta0;
         let alone = Core::rate(&disk.powers, disk.modulus, c);
-        let rate = alone + weight * product(&levels, level);
+        let rate = alone + weight * product(&levels, &level);
         let volume = |level: f64| {
             let volume = core.as_ref().map_or(0.0, |(transform, _)| transform.volume(level));
             2.0 * disk.modulus * volume
@@ -127,7 +130,8 @@ impl Solved {
             }
         });
         let state = State { settlement, tilt, force, moment }.plain();
-        Ok(Self { zones: zones.to_vec(), core, parts, theta0, state, stiffness, turning })
+        let (zones, flat) = (zones.to_vec(), Arc::new(level));
+        Ok(Self { zones, core, parts, flat, theta0, state, stiffness, turning })
     }
 
     pub(super) fn has_rings(&self) -> bool {
@@ -323,18 +327,25 @@ impl Pressure for Solved {
         [rings.fold(core, f64::max), ROUNDING * turned]
     }
 
-    /// Of a disk alone.
-    fn change(&self, raise: f64, turn: f64) -> Option<Self> {
-        let core = self.core.as_ref().filter(|_| self.parts.is_empty())?;
-        let flat = Core {
+    /// Rings have no tilt, and what turns adds nothing to them.
+    fn change(&self, raise: f64, turn: f64) -> Self {
+        let flat = Arc::new(Conjugate::flat());
+        let part = |(part, level): (&RingPart, &Vec<f64>)| {
+            let modes: Vec<f64> = level.iter().map(|mode| raise * mode).collect();
+            let mut nodes = part.nodes.clone();
+            nodes.ring.zone = Zone::new(nodes.ring.zone.ends, [false; 2]);
+            RingPart::new(nodes, Arc::clone(&flat), &modes, &vec![0.0; modes.len()])
+        };
+        let parts: Vec<RingPart> = self.parts.iter().zip(&*self.flat).map(part).collect();
+        let core = self.core.as_ref().map(|core| Core {
             transform: None,
             level: raise,
-            corner: raise,
+            corner: raise - by_rings(&parts, core.radius)[0],
             tilt: -turn,
             is_free: false,
             ..core.clone()
-        };
-        Some(Self { core: Some(flat), ..self.clone() })
+        });
+        Self { core, parts, ..self.clone() }
     }
 
     fn unknowns(&self) -> usize {

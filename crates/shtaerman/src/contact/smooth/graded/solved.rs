@@ -229,7 +229,7 @@ impl Pressure for Solved {
         [depth + turn * centre.abs(), turn]
     }
 
-    fn change(&self, raise: f64, turn: f64) -> Option<Self> {
+    fn change(&self, raise: f64, turn: f64) -> Self {
         let depth = raise + turn * self.middle;
         let strip = |(j, strip): (usize, &Strip)| {
             let at = |part: usize, n: usize| self.flat[part][j].get(n).copied().unwrap_or(0.0);
@@ -241,7 +241,7 @@ impl Pressure for Solved {
             Strip::new(&self.ground, zone, None, lowest, density)
         };
         let strips = self.strips.iter().enumerate().map(strip).collect();
-        Some(Self { strips, ..self.clone() })
+        Self { strips, ..self.clone() }
     }
 
     fn unknowns(&self) -> usize {

@@ -14,8 +14,8 @@ use crate::rounding::OF_A_VALUE;
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     zone: Zone,
-    /// The conjugate `F` of the slope; none for a flat base.
-    slope: Option<Arc<Conjugate>>,
+    /// The conjugate `F` of the slope.
+    pub(super) slope: Arc<Conjugate>,
     /// Mean slope of the profile, about which the others are.
     pub(super) lean: f64,
     /// `s_k`.
@@ -35,18 +35,13 @@ impl Part {
     pub(super) fn new(
         kernel: Kernel,
         zone: Zone,
-        (slope, lean): (Option<Arc<Conjugate>>, f64),
+        (slope, lean): (Arc<Conjugate>, f64),
         modes: &[f64],
         own: impl Fn(usize) -> f64,
     ) -> Self {
         let smooth: Vec<f64> = modes.iter().enumerate().map(|(k, mode)| mode - own(k)).collect();
-        let terms = match &slope {
-            None => Some(&[][..]),
-            Some(slope) => slope
-                .series()
-                .filter(|_| slope.is_odd())
-                .map(fredholm::inversion::Harmonics::cosines),
-        };
+        let terms = slope.series().filter(|_| slope.is_odd());
+        let terms = terms.map(fredholm::inversion::Harmonics::cosines);
         let series = terms.map(|terms| {
             let mut sum = smooth.clone();
             sum.resize(smooth.len().max(terms.len() + 1), 0.0);
@@ -75,10 +70,6 @@ impl Part {
         self.smooth.len()
     }
 
-    pub(super) fn slope(&self) -> Option<&Arc<Conjugate>> {
-        self.slope.as_ref()
-    }
-
     /// `G` at a place, without what is left of it at free ends.
     pub(super) fn density_at(&self, place: Place) -> f64 {
         let Place { from_left, from_right } = place;
@@ -96,8 +87,7 @@ impl Part {
         if let Some(series) = &self.series {
             return series.evaluate(angle.cos());
         }
-        let conjugate = self.slope.as_ref().map_or(0.0, |slope| slope.conjugate(angle));
-        cosines(&self.smooth, angle) - conjugate / PI
+        cosines(&self.smooth, angle) - self.slope.conjugate(angle) / PI
     }
 
     /// `G` at the left (0) or right (1) end.
@@ -108,8 +98,7 @@ impl Part {
     /// By how much that falls as the end moves outwards, over `xi`, with its error.
     pub(super) fn fall(&self, side: usize, rounding: f64) -> [f64; 2] {
         let end = if side == 0 { PI } else { 0.0 };
-        let reach = self.slope.as_ref().map_or(PI, |slope| slope.reach(end));
-        let bend = bend(|angle| self.density(angle), end, [reach, rounding]);
+        let bend = bend(|angle| self.density(angle), end, [self.slope.reach(end), rounding]);
         bend.map(|bend| bend / self.zone.length())
     }
 
@@ -131,10 +120,9 @@ impl Part {
             let terms = terms.iter().enumerate().skip(1).rev();
             PI * terms.fold(0.0, |sum, (k, term)| ratio * (term / k as f64 + sum))
         };
-        match (&self.series, &self.slope) {
-            (Some(series), _) => level + sum(series.coefficients()),
-            (None, Some(slope)) => level + sum(&self.smooth) - slope.outside(excess, side),
-            (None, None) => level + sum(&self.smooth),
+        match &self.series {
+            Some(series) => level + sum(series.coefficients()),
+            None => level + sum(&self.smooth) - self.slope.outside(excess, side),
         }
     }
 

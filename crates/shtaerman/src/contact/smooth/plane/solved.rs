@@ -72,7 +72,7 @@ impl Solved {
                 let modes: Vec<f64> = (0..counts[j])
                     .map(|k| depth * level[j][k] - tilt * tilted[j][k] - profile[j][k])
                     .collect();
-                Part::new(kernel, zones[j], (Some(slope), lean), &modes, own)
+                Part::new(kernel, zones[j], (slope, lean), &modes, own)
             })
             .collect();
         let stiffness = balance.about_base();
@@ -82,10 +82,9 @@ impl Solved {
 
     /// The slopes that are equally spaced samples of known ones, with the mean slopes.
     pub(super) fn sampled_slopes(&self) -> impl Iterator<Item = Option<(Arc<Conjugate>, f64)>> {
-        self.parts.iter().map(|part| {
-            let slope = part.slope().filter(|slope| slope.is_sampled())?;
-            Some((Arc::clone(slope), part.lean))
-        })
+        self.parts
+            .iter()
+            .map(|part| part.slope.is_sampled().then(|| (Arc::clone(&part.slope), part.lean)))
     }
 
     /// How much a rounding of the displacement counts in the pressure: near full contact of a row a pressure that is even moves next to nothing.
@@ -96,7 +95,7 @@ impl Solved {
     /// Rounding of `G` of a zone, between its ends or at them.
     fn rounding(&self, zone: usize, of_slope: fn(&Conjugate) -> f64) -> f64 {
         let part = &self.parts[zone];
-        part.rounding(self.condition(), part.slope().map_or(0.0, |slope| of_slope(slope)))
+        part.rounding(self.condition(), of_slope(&part.slope))
     }
 }
 
@@ -174,22 +173,22 @@ impl Pressure for Solved {
     /// Errors of `f_0`, and of `f_1` over half a zone.
     fn displacement_rounding(&self) -> [f64; 2] {
         self.parts.iter().zip(&self.zones).fold([0.0f64; 2], |[level, turn], (part, zone)| {
-            let own = part.slope().map_or(0.0, |slope| slope.mode_error());
+            let own = part.slope.mode_error();
             let tilt = own / part.half();
             [level.max(own + tilt * zone.middle().abs()), turn.max(tilt)]
         })
     }
 
-    fn change(&self, raise: f64, turn: f64) -> Option<Self> {
+    fn change(&self, raise: f64, turn: f64) -> Self {
         let depth = raise + turn * self.middle;
-        let [level, tilted] = &*self.flat;
+        let ([level, tilted], flat) = (&*self.flat, Arc::new(Conjugate::flat()));
         let part = |(j, zone): (usize, &Zone)| {
             let modes: Vec<f64> =
                 level[j].iter().zip(&tilted[j]).map(|(l, t)| depth * l + turn * t).collect();
-            Part::new(self.kernel, *zone, (None, 0.0), &modes, |_| 0.0)
+            Part::new(self.kernel, *zone, (Arc::clone(&flat), 0.0), &modes, |_| 0.0)
         };
         let parts = self.zones.iter().enumerate().map(part).collect();
-        Some(Self { parts, ..self.clone() })
+        Self { parts, ..self.clone() }
     }
 
     fn unknowns(&self) -> usize {
@@ -197,7 +196,6 @@ impl Pressure for Solved {
     }
 
     fn terms(&self) -> usize {
-        let slopes = self.parts.iter().filter_map(Part::slope);
-        self.unknowns() + slopes.map(|slope| slope.terms()).sum::<usize>()
+        self.unknowns() + self.parts.iter().map(|part| part.slope.terms()).sum::<usize>()
     }
 }
