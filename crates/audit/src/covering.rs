@@ -38,6 +38,8 @@ struct Covered {
     looks: u64,
     /// Where, after each mark.
     marks: Vec<f64>,
+    /// Whether that is all.
+    is_whole: bool,
 }
 
 impl Audit<'_> {
@@ -57,18 +59,13 @@ impl Audit<'_> {
         }
         let parts: Vec<&[Stretch]> = stretches.chunks(TOGETHER).collect();
         let spent = AtomicU64::new(0);
-        let found = each(&parts, |part| {
-            // Then it is refused, whatever becomes of the rest.
-            if spent.load(Ordering::Relaxed) > most {
-                return None;
-            }
-            let covered = self.residual().cover(part, most);
-            spent.fetch_add(covered.looks, Ordering::Relaxed);
-            Some(covered)
-        });
+        let found = each(&parts, |part| self.residual().cover(part, most, &spent));
         let mut all = Covered::default();
-        for (part, covered) in parts.into_iter().zip(found) {
-            let covered = covered.unwrap_or_else(|| self.residual().cover(part, most));
+        for (part, mut covered) in parts.into_iter().zip(found) {
+            // Then it is refused. The place is that which work in order would have come to.
+            if !covered.is_whole {
+                covered = self.residual().cover(part, most, &AtomicU64::new(all.looks));
+            }
             if all.looks + covered.looks > most {
                 return Err(Refusal::TooManyWindows { at: covered.after(most - all.looks, most) });
             }
@@ -95,9 +92,12 @@ fn mark(most: u64) -> u64 {
 }
 
 impl Residual<'_> {
-    /// Windows that cover some stretches; not all where that takes more looks than these.
-    fn cover(&self, stretches: &[Stretch], most: u64) -> Covered {
+    /// Windows that cover some stretches; not all where more looks than these are spent with those of others.
+    fn cover(&self, stretches: &[Stretch], most: u64, spent: &AtomicU64) -> Covered {
         let mut covered = Covered::default();
+        if spent.load(Ordering::Relaxed) > most {
+            return covered;
+        }
         for stretch in stretches {
             let mut known = Known::default();
             let mut stack = vec![Open::new(stretch)];
@@ -116,15 +116,17 @@ impl Residual<'_> {
                     stack.push(Open { left, right: middle, is_end: [is_end[0], false] });
                 }
                 self.count(WINDOW + known.take_looks());
-                covered.looks = self.looks.get();
+                let more = self.looks.get() - covered.looks;
+                covered.looks += more;
                 while covered.looks >= mark(most) * covered.marks.len() as u64 {
                     covered.marks.push(middle);
                 }
-                if covered.looks > most {
+                if spent.fetch_add(more, Ordering::Relaxed) + more > most {
                     return covered;
                 }
             }
         }
+        covered.is_whole = true;
         covered
     }
 

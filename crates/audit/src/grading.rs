@@ -198,17 +198,11 @@ pub(crate) fn panels(
     let count = AtomicUsize::new(0);
     let found = each(&parts, |part| {
         let mut found = Vec::new();
-        for stretch in *part {
-            let before = found.len();
-            let is_done =
-                Sampling::new(density, limits, stretch.width).cover(stretch, most, &mut found);
-            let added = found.len() - before;
-            // Panels only become more: whoever sees that these are too many, they are.
-            if !is_done || count.fetch_add(added, Ordering::Relaxed) + added > most {
-                return None;
-            }
-        }
-        Some(found)
+        let mut stretches = part.iter();
+        let is_done = stretches.all(|stretch| {
+            Sampling::new(density, limits, stretch.width).cover(stretch, most, &count, &mut found)
+        });
+        is_done.then_some(found)
     });
     let found: Option<Vec<Vec<Panel>>> = found.into_iter().collect();
     found.map(|parts| parts.concat())
@@ -245,16 +239,26 @@ impl<'a> Sampling<'a> {
         Self { density, limits, longest, origin: SMALLEST * width }
     }
 
-    /// Adds the panels of a part of a zone; whether they are no more than `most`.
-    fn cover(&self, stretch: &Stretch, most: usize, found: &mut Vec<Panel>) -> bool {
-        let before = found.len();
+    /// Adds the panels of a part of a zone; whether with those of others, which `count` counts, they are no more than `most`.
+    fn cover(
+        &self,
+        stretch: &Stretch,
+        most: usize,
+        count: &AtomicUsize,
+        found: &mut Vec<Panel>,
+    ) -> bool {
         let mut stack = vec![Part::new(stretch.ends, stretch.is_end)];
         while let Some(part) = stack.pop() {
             match self.judged(part) {
-                Judged::Done(panel) => found.push(panel),
+                Judged::Done(panel) => {
+                    found.push(panel);
+                    count.fetch_add(1, Ordering::Relaxed);
+                }
                 Judged::Cut(halves) => stack.extend(halves),
             }
-            if found.len() - before + stack.len() > most {
+            // Panels only become more: whoever sees that these are too many, they are, and nobody else goes on.
+            if count.load(Ordering::Relaxed) + stack.len() > most {
+                count.fetch_add(most, Ordering::Relaxed);
                 return false;
             }
         }

@@ -8,6 +8,7 @@ mod force_and_roughness;
 mod geometries;
 mod graded_widths;
 mod hostile;
+mod long_traces;
 mod prescribed;
 mod sensitivities;
 mod support;

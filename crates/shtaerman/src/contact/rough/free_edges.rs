@@ -29,6 +29,14 @@ impl Edge {
         [moved, off + moved.abs() * self.noise]
     }
 
+    /// Whether another one agrees with it: what is said of an edge from nearby has to, as sums over nodes beside it may be anything where the pressure is off.
+    fn holds(&self, other: &Self) -> bool {
+        (0..self.moved.len()).all(|k| {
+            let apart = (other.moved[k] - self.moved[k]).abs();
+            apart <= SAFETY * (self.change[k].abs() + self.noise * self.moved[k].abs())
+        })
+    }
+
     /// What it is not known to when the punch settles, relative to that.
     fn doubt(&self) -> f64 {
         self.noise + (self.change[1] / self.moved[1]).abs() / SAFETY
@@ -38,74 +46,104 @@ impl Edge {
 /// Nodes of means beside an edge, where what the layer answers goes on as powers of the distance from -1/2 to 0: they leave less than `NODES^-4`.
 const NODES: usize = 20;
 
-/// The length of a zone and of its panel at an end, the side, where it ends there and where its panels do.
+/// A free end of a zone, on this side of it.
 struct FreeEnd {
+    /// The length of the zone.
     length: f64,
-    panel: f64,
+    /// How far from the end the base does not bend.
+    reach: f64,
+    /// The distance of the nearest node.
+    nearest: f64,
     side: usize,
     at: f64,
+    /// Where its panels end.
     end: f64,
+}
+
+impl FreeEnd {
+    fn of_zone<F: Field>(solved: &Solved<F>, zone: &Zone) -> Vec<Self> {
+        let own = solved.nodes.panels_of(zone);
+        let count = solved.nodes.a_panel();
+        let nodes = &solved.nodes.places[own.start * count..own.end * count];
+        let mut panels = solved.nodes.panels[own].to_vec();
+        let length = zone.length();
+        let mut of = |(side, at): (usize, f64)| {
+            if side == 1 {
+                panels.reverse();
+            }
+            let end = panels.first().map_or(at, |panel| panel[side]);
+            let node = if side == 0 { nodes.first() } else { nodes.last() };
+            let nearest = node.map_or(length, |node| (node - at).abs()).max(f64::EPSILON);
+            // Panels of collocation are cut where the base bends, others get longer until it does.
+            let mut lengths = panels.iter().map(|[left, right]| right - left).peekable();
+            let mut last = lengths.next().unwrap_or(length);
+            let mut reach = last;
+            while F::RATIO.is_none()
+                && let Some(next) = lengths.next_if(|next| *next >= last)
+            {
+                (reach, last) = (reach + next, next);
+            }
+            Self { length, reach, nearest, side, at, end }
+        };
+        zone.free_ends().map(&mut of).collect()
+    }
 }
 
 impl<F: Field> Known<'_, F> {
     /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
     pub(super) fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
-        let zones = &solved.nodes.zones;
+        let ends = solved.nodes.zones.iter().flat_map(|zone| FreeEnd::of_zone(solved, zone));
+        let ends: Vec<FreeEnd> = ends.collect();
+        let slopes = solved.slopes(&ends.iter().map(|end| end.at).collect::<Vec<_>>());
+        let edge = |(end, slope): (&FreeEnd, [f64; 2])| {
+            let near = self.seen_from_nearby(solved, surface, end, slope);
+            if solved.ground.exponent() == 0.0 {
+                return near;
+            }
+            let afar = self.seen_from_afar(solved, surface, end);
+            afar.filter(|afar| afar.doubt() < near.doubt() || !afar.holds(&near)).unwrap_or(near)
+        };
+        ends.iter().zip(slopes).map(edge).collect()
+    }
+
+    /// A free edge by the slope there, which the pressure adds to, and by what the layer answers where its panels end, beside which that changes as a power of the distance.
+    fn seen_from_nearby(
+        &self,
+        solved: &Solved<F>,
+        surface: &Surface,
+        end: &FreeEnd,
+        [body, added]: [f64; 2],
+    ) -> Edge {
         let (layer, off) = (solved.at_ends.layer, solved.ends_off());
         let (exponent, rounding) = (solved.ground.exponent(), solved.rounding());
+        let (tilt, profile) = (solved.state.tilt, surface.slope(end.at));
+        let size = tilt.abs() + profile.abs() + added;
+        let slope = -tilt - profile - body;
+        let slope = if end.side == 0 { -slope } else { slope };
         // Where the layer is thin the slope changes within a length 1/theta0: beside an end that is off as the logarithm of the distance, on graded ground as a power of it, and so does what the layer answers.
-        let left = |slope: f64| {
-            if exponent == 0.0 {
-                return rounding - 2.0 * f64::EPSILON.ln() * layer;
-            }
+        let left = if exponent == 0.0 {
+            rounding - 2.0 * f64::EPSILON.ln() * layer
+        } else {
             let off = off.max(rounding / slope.abs()).max(f64::EPSILON);
             off.powf(-exponent) * (rounding + SAFETY * SAFETY * layer)
         };
-        let of_layer = solved.strength * solved.layer.slope(solved.deepest());
-        // On graded ground a sum over nodes leaves out what presses nearer to the edge than places are rounded, up to some of them.
-        let is_graded = exponent > 0.0 && F::RATIO.is_some();
-        let unseen = SAFETY * of_layer * f64::EPSILON.powf(1.0 - exponent) / (1.0 - exponent);
-        let beyond = if is_graded { unseen } else { 0.0 };
-        let edge = |(free, [body, added]): (FreeEnd, [f64; 2])| {
-            let FreeEnd { length, side, at, end, .. } = free;
-            let (tilt, profile) = (solved.state.tilt, surface.slope(at));
-            let size = tilt.abs() + profile.abs() + added;
-            let slope = -tilt - profile - body;
-            let slope = if side == 0 { -slope } else { slope };
-            // In a short zone it changes with the place itself.
-            let bent = SAFETY * off / length * slope.abs();
-            let noise = (ROUNDING * size + of_layer * left(slope) + bent) / slope.abs();
-            let moved = self.layer(end).map(|layer| -layer / slope);
-            let near = Edge { moved, change: [0.0; 3], slope: -slope, noise: noise + beyond };
-            let afar = is_graded.then(|| self.seen_from_afar(solved, surface, &free)).flatten();
-            afar.filter(|afar| afar.doubt() < near.doubt()).unwrap_or(near)
-        };
-        // What the layer answers ends with its panels, beside which it changes as a power of the distance.
-        let of_zone = |zone: &Zone| {
-            let (length, ends) = (zone.length(), zone.ends);
-            let own = solved.nodes.panels_of(zone);
-            let panels = [own.start, own.end.saturating_sub(1)].map(|k| solved.nodes.panels.get(k));
-            zone.free_ends().map(move |(side, at)| {
-                let [left, right] = *panels[side].unwrap_or(&ends);
-                let end = if panels[side].is_none() { at } else { [left, right][side] };
-                FreeEnd { length, panel: right - left, side, at, end }
-            })
-        };
-        let ends: Vec<FreeEnd> = zones.iter().flat_map(of_zone).collect();
-        let slopes = solved.slopes(&ends.iter().map(|free| free.at).collect::<Vec<_>>());
-        ends.into_iter().zip(slopes).map(edge).collect()
+        // In a short zone it changes with the place itself.
+        let bent = SAFETY * off / end.length * slope.abs();
+        let noise = (ROUNDING * size + of_layer(solved) * left + bent) / slope.abs();
+        let moved = self.layer(end.end).map(|layer| -layer / slope);
+        Edge { moved, change: [0.0; 3], slope: -slope, noise: noise + unseen(solved, end) }
     }
 
     /// A free edge of a zone on graded ground, looked at from a distance.
     ///
     /// `dv/dxi` solves the same equation as what the layer answers, `g + theta0 K(p'(v) g) = -alpha0 - f0'`, so that beside the edge both are multiples of one function of the distance, but for their product with the distance
-    /// over the length of the panel. Where the layer is thin that function changes down to distances far below the rounding of places, where no nodes are: nothing is known of either at the edge itself. Up to a distance `D` the
+    /// over that of the next bend. Where the layer is thin that function changes down to distances far below the rounding of places, where no nodes are: nothing is known of either at the edge itself. Up to a distance `D` the
     /// integral of the one over that of the other, `v(D)`, is by how much the edge moves, and what goes with `D` is taken away by that up to `2 D`. On a disk `dv/dr` has the kernel of the next harmonic, which is as singular.
     fn seen_from_afar(&self, solved: &Solved<F>, surface: &Surface, end: &FreeEnd) -> Option<Edge> {
-        let &FreeEnd { panel, side, at, .. } = end;
+        let &FreeEnd { reach, nearest, side, at, .. } = end;
         let inwards = if side == 0 { 1.0 } else { -1.0 };
         let near_axis = if solved.ground.is_disk() { at.abs() } else { f64::INFINITY };
-        let length = panel.min(near_axis);
+        let length = reach.min(near_axis);
         let layer_at = |d: f64| {
             let xi = at + inwards * d;
             solved.layer_at(xi, surface.height(xi))
@@ -130,8 +168,24 @@ impl<F: Field> Known<'_, F> {
             change: [0, 1, 2].map(|k| near[k] - far[k]),
             slope: layer_at(distance) / distance,
             noise: SAFETY * (share * share + off / distance)
+                + unseen(solved, end) * nearest / distance
                 + (NODES as f64).powi(-4)
                 + rounding / layer_at(distance).abs(),
         })
     }
+}
+
+/// By what, at most, the pressure adds to the slope of the layer.
+fn of_layer<F: Field>(solved: &Solved<F>) -> f64 {
+    solved.strength * solved.layer.slope(solved.deepest())
+}
+
+/// What is not seen of an edge on graded ground, as a share: sums over nodes leave out what presses nearer to it than the nearest node, up to some of that; polynomials on panels miss as much, which adds to potentials by as much again.
+fn unseen<F: Field>(solved: &Solved<F>, end: &FreeEnd) -> f64 {
+    let power = 1.0 - solved.ground.exponent();
+    if power == 1.0 {
+        return 0.0;
+    }
+    let share = of_layer(solved) * end.nearest.powf(power) / power;
+    SAFETY * if F::RATIO.is_none() { share * share } else { share }
 }

@@ -2,8 +2,6 @@
 
 use super::*;
 use crate::contact::balance::State;
-use crate::contact::complementarity::Complementarity;
-use crate::contact::method::MethodName;
 use crate::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 const FORCED: Vertical = Vertical::Force(1.0);
@@ -226,58 +224,4 @@ fn what_comes_out_may_be_prescribed() {
         let [raise, _] = free.stiffness().displaced(&load, [1.0, 0.0]);
         assert_within("rate", by_settlement.settlement.unwrap() * raise, 1.0, 1e-8);
     }
-}
-
-#[test]
-fn rates_on_panels_agree_with_differences() {
-    for (theta0, vertical, rotational) in [
-        (30.0, FORCED, Rotational::Moment(0.2)),
-        (3.0, Vertical::Settlement(2.0), Rotational::Tilt(0.3)),
-    ] {
-        let problem = problem([theta0, 1.0], trace(1100, theta0), vertical, rotational);
-        let contact = problem.solve().unwrap();
-        let tangent = contact.tangent_sensitivities().unwrap();
-        assert_eq!(contact.method().name, MethodName::Panels);
-        assert_eq!(contact.sensitivities().unwrap(), tangent);
-        let other = contact.difference_sensitivities().unwrap();
-        let known = [
-            (tangent.settlement, other.settlement, contact.settlement()),
-            (tangent.force, other.force, contact.force()),
-            (tangent.tilt, other.tilt, contact.tilt()),
-            (tangent.peak_pressure, other.peak_pressure, contact.peak_pressure()),
-            (Some(tangent.contact_width), Some(other.contact_width), contact.contact_width()),
-        ];
-        for (one, other, value) in known {
-            let (Some(one), Some(other)) = (one, other) else { continue };
-            let pairs = [
-                (one.theta0, other.theta0, theta0),
-                (one.force, other.force, contact.force()),
-                (one.settlement, other.settlement, contact.settlement()),
-            ];
-            let both = pairs.iter().filter_map(|(a, b, at)| Some(((*a)? * at, (*b)? * at)));
-            let both: Vec<(f64, f64)> = both.collect();
-            let size = both.iter().fold(value.abs(), |most, (a, _)| most.max(a.abs()));
-            assert!(both.len() == 2 && one.error < 1e-5, "{one:?}");
-            for (a, b) in both {
-                assert_within("rate", a, b, 2.0 * (one.error + other.error) * size);
-            }
-        }
-    }
-}
-
-#[test]
-fn a_gap_narrower_than_the_samples_parts_a_zone() {
-    // Between two of 10,000 points the base lifts off, far from the middle between the places that are looked at.
-    let positions: Vec<f64> = (0..10_000).map(|i| 2.0 * f64::from(i) / 9999.0 - 1.0).collect();
-    let height = |(i, x): (usize, &f64)| {
-        let wave = |k: f64| 0.5 * k.powf(-1.5) * (3.1 * k * x + k * k).sin();
-        let waves: f64 = (1..=100).map(|k| wave(f64::from(k))).sum();
-        4.0 * (0.3 * x * x + waves + 0.005 * (1e4 * (i as f64).sin()).fract())
-    };
-    let heights = positions.iter().enumerate().map(height).collect();
-    let profile = Profile::from_points(positions, heights).unwrap();
-    let found = panels(&problem([1.0, 1.0], profile, FORCED, Rotational::Moment(0.2)));
-    assert_eq!(found.zones().len(), 34);
-    let Complementarity { tension, penetration } = found.complementarity().unwrap();
-    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
 }
