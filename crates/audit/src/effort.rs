@@ -7,9 +7,14 @@ const LOOKS: [u64; 2] = [5_000_000, 2_000];
 /// Looks that take as long as the bounds of the heights on a window (survey: 4 us beside 0.28, of a formula that could not be resolved; of 200 plausible problems 7,000 windows at most, 8 a point of traces).
 pub(crate) const WINDOW: u64 = 15;
 /// Looks that take as long as bounds of the heights between two neighbouring numbers (survey: 3.4 us, of the same formula).
-pub(crate) const RANGE: u64 = 12;
+const RANGE: u64 = 12;
 /// Of the places where a pressure may bend so many count: what is kept has an end.
 const MOST_CUTS: usize = 20_000;
+
+/// Looks that take as long as such bounds, given those of derivatives there (survey: of two formulas with 1,000 and 3,600 operations 0.41 and 0.40 of these).
+pub(crate) fn of_range(derivatives: u64) -> u64 {
+    RANGE.max(derivatives / 2)
+}
 
 /// What it may take.
 #[derive(Debug, Clone, Copy)]

@@ -347,4 +347,21 @@ mod tests {
         assert_eq!(found[0].left, 0.0);
         assert!(found[0].right > 1e-20, "{:e}", found[0].right);
     }
+
+    /// Where panels are too many nobody goes on, however many parts there are.
+    #[test]
+    fn what_is_refused_is_refused_soon() {
+        let calls = AtomicUsize::new(0);
+        let density = |x: f64| {
+            calls.fetch_add(1, Ordering::Relaxed);
+            1.0 + (1e9 * x).sin()
+        };
+        let limits = Limits { exact: &|_, _| 1e-14, known: &|_, _| 0.0, scale: 1.0, exponent: 0.0 };
+        let places: Vec<f64> = (-999..1000).map(|k| f64::from(k) / 1000.0).collect();
+        let cuts = Cuts { all: &places, bent: &[] };
+        let most = 4000;
+        assert!(panels(&density, &[[-1.0, 1.0]], &cuts, &limits, most).is_none());
+        let calls = calls.load(Ordering::Relaxed);
+        assert!(calls <= 8 * ORDER * most, "{calls}");
+    }
 }

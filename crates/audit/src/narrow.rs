@@ -2,7 +2,7 @@
 
 use crate::allowance::allowance;
 use crate::density::Density;
-use crate::effort::RANGE;
+use crate::effort::of_range;
 use crate::kernel::Singularity;
 use crate::places::Places;
 use crate::residual::{Bounded, Residual, blur};
@@ -219,7 +219,7 @@ impl Residual<'_> {
 
     /// A bound of how much `w` changes in a narrow window.
     fn variation(&self, [left, right]: [f64; 2]) -> f64 {
-        self.count(RANGE);
+        self.count(of_range(self.profile.looks([left, right])));
         let [low, high] = self.profile.range([left, right]);
         (high - low)
             + self.theta * self.potential_variation([left, right])

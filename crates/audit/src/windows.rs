@@ -2,7 +2,7 @@
 
 use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{MOST, lebesgue, nodes};
-use crate::effort::RANGE;
+use crate::effort::of_range;
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
 use crate::places::{Places, middle};
@@ -175,7 +175,7 @@ impl Residual<'_> {
         if from == 0.0 {
             self.profile.heights(&places, &mut heights[..count]);
         } else {
-            self.count(RANGE * count as u64);
+            self.count(count as u64 * of_range(self.profile.looks([left, right])));
             for (height, x) in heights.iter_mut().zip(&places) {
                 let between = [x.next_down().max(left), x.next_up().min(right)];
                 *height = self.profile.range(between);
