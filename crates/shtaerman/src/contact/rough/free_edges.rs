@@ -131,7 +131,13 @@ impl<F: Field> Known<'_, F> {
         let bent = SAFETY * off / end.length * slope.abs();
         let noise = (ROUNDING * size + of_layer(solved) * left + bent) / slope.abs();
         let moved = self.layer(end.end).map(|layer| -layer / slope);
-        Edge { moved, change: [0.0; 3], slope: -slope, noise: noise + unseen(solved, end) }
+        // On graded ground sums over nodes leave that out; polynomials on panels miss as much, which adds to potentials by as much again.
+        let unseen = match (exponent, F::RATIO) {
+            (0.0, _) => 0.0,
+            (_, Some(_)) => unseen(solved, end),
+            (_, None) => unseen(solved, end).powi(2),
+        };
+        Edge { moved, change: [0.0; 3], slope: -slope, noise: noise + SAFETY * unseen }
     }
 
     /// A free edge of a zone on graded ground, looked at from a distance.
@@ -163,12 +169,13 @@ impl<F: Field> Known<'_, F> {
         };
         let [near, far] = [moved(distance), moved(2.0 * distance)];
         let share = distance / length;
+        // What the layer answers goes on as -1/2 of the distance at most.
+        let unseen = unseen(solved, end).min(1.0) * (nearest / distance).sqrt();
         Some(Edge {
             moved: [0, 1, 2].map(|k| 2.0 * near[k] - far[k]),
             change: [0, 1, 2].map(|k| near[k] - far[k]),
             slope: layer_at(distance) / distance,
-            noise: SAFETY * (share * share + off / distance)
-                + unseen(solved, end) * nearest / distance
+            noise: SAFETY * (share * share + off / distance + unseen)
                 + (NODES as f64).powi(-4)
                 + rounding / layer_at(distance).abs(),
         })
@@ -180,12 +187,8 @@ fn of_layer<F: Field>(solved: &Solved<F>) -> f64 {
     solved.strength * solved.layer.slope(solved.deepest())
 }
 
-/// What is not seen of an edge on graded ground, as a share: sums over nodes leave out what presses nearer to it than the nearest node, up to some of that; polynomials on panels miss as much, which adds to potentials by as much again.
+/// What the pressure that is nearer to an edge than the nearest node changes of the slope of the layer, and of what it answers, as a share.
 fn unseen<F: Field>(solved: &Solved<F>, end: &FreeEnd) -> f64 {
     let power = 1.0 - solved.ground.exponent();
-    if power == 1.0 {
-        return 0.0;
-    }
-    let share = of_layer(solved) * end.nearest.powf(power) / power;
-    SAFETY * if F::RATIO.is_none() { share * share } else { share }
+    of_layer(solved) * end.nearest.powf(power) / power
 }

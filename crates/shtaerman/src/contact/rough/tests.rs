@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::contact::balance::State;
-use crate::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
+use crate::{
+    Complementarity, Foundation, Load, MethodName, Problem, Profile, Punch, Rotational, Vertical,
+};
 
 const FORCED: Vertical = Vertical::Force(1.0);
 
