@@ -220,9 +220,8 @@ impl Audit<'_> {
             let (x, weight) = (panel.middle(), panel.right - panel.left);
             (panel.half() >= WEIGHTY * widest).then(|| (x, weight, self.residual().at(x).0))
         };
-        let parts: Vec<&[Panel]> = self.density.panels.chunks(TOGETHER).collect();
-        let places = each(&parts, |part| part.iter().filter_map(of_panel).collect::<Vec<_>>());
-        let places = places.concat();
+        let of_part = |part: &[Panel]| part.iter().filter_map(of_panel).collect::<Vec<_>>();
+        let places = each(&self.density.panels, TOGETHER, of_part).concat();
         let sum = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
             places.iter().map(|(x, weight, w)| weight * u(*x, *w)).sum()
         };
@@ -371,9 +370,8 @@ impl Audit<'_> {
             });
             seen.into_iter().fold(none, larger)
         };
-        let parts: Vec<&[Panel]> = self.density.panels.chunks(TOGETHER).collect();
-        let found = each(&parts, |part| part.iter().map(of_panel).fold(none, larger));
-        found.into_iter().fold(none, larger)
+        let of_part = |part: &[Panel]| part.iter().map(of_panel).fold(none, larger);
+        each(&self.density.panels, TOGETHER, of_part).into_iter().fold(none, larger)
     }
 }
 

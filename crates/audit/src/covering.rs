@@ -57,11 +57,11 @@ impl Audit<'_> {
             let stretch = |[left, right]: [f64; 2]| Stretch { left, right, whole, is_zone };
             stretches.extend(parts.map(|pair| stretch([pair[0], pair[1]])));
         }
-        let parts: Vec<&[Stretch]> = stretches.chunks(TOGETHER).collect();
         let spent = AtomicU64::new(0);
-        let found = each(&parts, |part| self.residual().cover(part, most, &spent));
+        let of_part = |part: &[Stretch]| self.residual().cover(part, most, &spent);
+        let found = each(&stretches, TOGETHER, of_part);
         let mut all = Covered::default();
-        for (part, mut covered) in parts.into_iter().zip(found) {
+        for (part, mut covered) in stretches.chunks(TOGETHER).zip(found) {
             // Then it is refused. The place is that which work in order would have come to.
             if !covered.is_whole {
                 covered = self.residual().cover(part, most, &AtomicU64::new(all.looks));

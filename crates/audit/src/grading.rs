@@ -194,9 +194,8 @@ pub(crate) fn panels(
     most: usize,
 ) -> Option<Vec<Panel>> {
     let stretches: Vec<Stretch> = zones.iter().flat_map(|zone| cut(*zone, cuts)).collect();
-    let parts: Vec<&[Stretch]> = stretches.chunks(TOGETHER).collect();
     let count = AtomicUsize::new(0);
-    let found = each(&parts, |part| {
+    let found = each(&stretches, TOGETHER, |part| {
         let mut found = Vec::new();
         let mut stretches = part.iter();
         let is_done = stretches.all(|stretch| {

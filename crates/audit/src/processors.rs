@@ -5,12 +5,17 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// What the work makes of each part, in their order. A part ought to take far longer than the 50 us or so in which the system begins a thread; where it gives none, this one does all.
-pub(crate) fn each<T: Sync, R: Send>(parts: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
-    if parts.len() < 2 {
-        return parts.iter().map(work).collect();
+/// What the work makes of each part, so many together, in their order. A part ought to take far longer than the 50 us or so in which the system begins a thread; where it gives none, this one does all.
+pub(crate) fn each<T: Sync, R: Send>(
+    all: &[T],
+    together: usize,
+    work: impl Fn(&[T]) -> R + Sync,
+) -> Vec<R> {
+    if all.len() <= together {
+        return all.chunks(together).map(work).collect();
     }
-    each_on(processors(), parts, work)
+    let parts: Vec<&[T]> = all.chunks(together).collect();
+    each_on(processors(), &parts, |part| work(part))
 }
 
 /// The same on so many processors.
