@@ -58,16 +58,21 @@ struct FreeEnd {
     at: f64,
     /// Where its panels end.
     end: f64,
+    /// What the pressure that is nearer than the nearest node changes of the slope of the layer, and of what it answers, on graded ground, as a share.
+    unseen: f64,
 }
 
+/// By what, at most, the pressure adds to the slope of the layer, and what rounding leaves of that layer.
+type Scales = [f64; 2];
+
 impl FreeEnd {
-    fn of_zone<F: Field>(solved: &Solved<F>, zone: &Zone) -> Vec<Self> {
+    fn of_zone<F: Field>(solved: &Solved<F>, zone: &Zone, scales: Scales) -> Vec<Self> {
         let own = solved.nodes.panels_of(zone);
         let count = solved.nodes.a_panel();
         let nodes = &solved.nodes.places[own.start * count..own.end * count];
         let mut panels = solved.nodes.panels[own].to_vec();
         let length = zone.length();
-        let mut of = |(side, at): (usize, f64)| {
+        let of = |(side, at): (usize, f64)| {
             if side == 1 {
                 panels.reverse();
             }
@@ -83,24 +88,28 @@ impl FreeEnd {
             {
                 (reach, last) = (reach + next, next);
             }
-            Self { length, reach, nearest, side, at, end }
+            let power = 1.0 - solved.ground.exponent();
+            let unseen = if power < 1.0 { scales[0] * nearest.powf(power) / power } else { 0.0 };
+            Self { length, reach, nearest, side, at, end, unseen }
         };
-        zone.free_ends().map(&mut of).collect()
+        zone.free_ends().map(of).collect()
     }
 }
 
 impl<F: Field> Known<'_, F> {
     /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
     pub(super) fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
-        let ends = solved.nodes.zones.iter().flat_map(|zone| FreeEnd::of_zone(solved, zone));
-        let ends: Vec<FreeEnd> = ends.collect();
+        let of_layer = solved.strength * solved.layer.slope(solved.deepest());
+        let scales = [of_layer, solved.rounding()];
+        let of_zone = |zone: &Zone| FreeEnd::of_zone(solved, zone, scales);
+        let ends: Vec<FreeEnd> = solved.nodes.zones.iter().flat_map(of_zone).collect();
         let slopes = solved.slopes(&ends.iter().map(|end| end.at).collect::<Vec<_>>());
         let edge = |(end, slope): (&FreeEnd, [f64; 2])| {
-            let near = self.seen_from_nearby(solved, surface, end, slope);
+            let near = self.seen_from_nearby(solved, surface, end, (slope, scales));
             if solved.ground.exponent() == 0.0 {
                 return near;
             }
-            let afar = self.seen_from_afar(solved, surface, end);
+            let afar = self.seen_from_afar(solved, surface, end, scales);
             afar.filter(|afar| afar.doubt() < near.doubt() || !afar.holds(&near)).unwrap_or(near)
         };
         ends.iter().zip(slopes).map(edge).collect()
@@ -112,10 +121,10 @@ impl<F: Field> Known<'_, F> {
         solved: &Solved<F>,
         surface: &Surface,
         end: &FreeEnd,
-        [body, added]: [f64; 2],
+        ([body, added], [of_layer, rounding]): ([f64; 2], Scales),
     ) -> Edge {
         let (layer, off) = (solved.at_ends.layer, solved.ends_off());
-        let (exponent, rounding) = (solved.ground.exponent(), solved.rounding());
+        let exponent = solved.ground.exponent();
         let (tilt, profile) = (solved.state.tilt, surface.slope(end.at));
         let size = tilt.abs() + profile.abs() + added;
         let slope = -tilt - profile - body;
@@ -129,14 +138,10 @@ impl<F: Field> Known<'_, F> {
         };
         // In a short zone it changes with the place itself.
         let bent = SAFETY * off / end.length * slope.abs();
-        let noise = (ROUNDING * size + of_layer(solved) * left + bent) / slope.abs();
+        let noise = (ROUNDING * size + of_layer * left + bent) / slope.abs();
         let moved = self.layer(end.end).map(|layer| -layer / slope);
-        // On graded ground sums over nodes leave that out; polynomials on panels miss as much, which adds to potentials by as much again.
-        let unseen = match (exponent, F::RATIO) {
-            (0.0, _) => 0.0,
-            (_, Some(_)) => unseen(solved, end),
-            (_, None) => unseen(solved, end).powi(2),
-        };
+        // Sums over nodes leave that out; polynomials on panels miss as much, which adds to potentials by as much again.
+        let unseen = end.unseen.powi(if F::RATIO.is_none() { 2 } else { 1 });
         Edge { moved, change: [0.0; 3], slope: -slope, noise: noise + SAFETY * unseen }
     }
 
@@ -145,7 +150,13 @@ impl<F: Field> Known<'_, F> {
     /// `dv/dxi` solves the same equation as what the layer answers, `g + theta0 K(p'(v) g) = -alpha0 - f0'`, so that beside the edge both are multiples of one function of the distance, but for their product with the distance
     /// over that of the next bend. Where the layer is thin that function changes down to distances far below the rounding of places, where no nodes are: nothing is known of either at the edge itself. Up to a distance `D` the
     /// integral of the one over that of the other, `v(D)`, is by how much the edge moves, and what goes with `D` is taken away by that up to `2 D`. On a disk `dv/dr` has the kernel of the next harmonic, which is as singular.
-    fn seen_from_afar(&self, solved: &Solved<F>, surface: &Surface, end: &FreeEnd) -> Option<Edge> {
+    fn seen_from_afar(
+        &self,
+        solved: &Solved<F>,
+        surface: &Surface,
+        end: &FreeEnd,
+        [_, rounding]: Scales,
+    ) -> Option<Edge> {
         let &FreeEnd { reach, nearest, side, at, .. } = end;
         let inwards = if side == 0 { 1.0 } else { -1.0 };
         let near_axis = if solved.ground.is_disk() { at.abs() } else { f64::INFINITY };
@@ -154,7 +165,7 @@ impl<F: Field> Known<'_, F> {
             let xi = at + inwards * d;
             solved.layer_at(xi, surface.height(xi))
         };
-        let (rounding, beside) = (solved.rounding(), BESIDE * length);
+        let beside = BESIDE * length;
         let off = solved.ends_off().max(rounding * beside / layer_at(beside)).max(f64::EPSILON);
         // There as little is left by it as by the square of the distance.
         let distance = (off * length * length).cbrt().min(beside);
@@ -170,7 +181,7 @@ impl<F: Field> Known<'_, F> {
         let [near, far] = [moved(distance), moved(2.0 * distance)];
         let share = distance / length;
         // What the layer answers goes on as -1/2 of the distance at most.
-        let unseen = unseen(solved, end).min(1.0) * (nearest / distance).sqrt();
+        let unseen = end.unseen.min(1.0) * (nearest / distance).sqrt();
         Some(Edge {
             moved: [0, 1, 2].map(|k| 2.0 * near[k] - far[k]),
             change: [0, 1, 2].map(|k| near[k] - far[k]),
@@ -180,15 +191,4 @@ impl<F: Field> Known<'_, F> {
                 + rounding / layer_at(distance).abs(),
         })
     }
-}
-
-/// By what, at most, the pressure adds to the slope of the layer.
-fn of_layer<F: Field>(solved: &Solved<F>) -> f64 {
-    solved.strength * solved.layer.slope(solved.deepest())
-}
-
-/// What the pressure that is nearer to an edge than the nearest node changes of the slope of the layer, and of what it answers, as a share.
-fn unseen<F: Field>(solved: &Solved<F>, end: &FreeEnd) -> f64 {
-    let power = 1.0 - solved.ground.exponent();
-    of_layer(solved) * end.nearest.powf(power) / power
 }
