@@ -25,7 +25,7 @@ const WIDTH: usize = 4;
 
 impl Contact {
     /// The [sensitivities](Self::sensitivities) by the linearised equation alone, for little more than a step of Newton's method; `None` where only
-    /// differences of solutions tell: on panels.
+    /// differences of solutions tell: on cells, under a coating, and at corners of strongly graded ground.
     #[must_use]
     pub fn tangent_sensitivities(&self) -> Option<Sensitivities> {
         // A stiffer foundation under the same coating has another kernel.
