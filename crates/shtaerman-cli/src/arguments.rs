@@ -59,6 +59,7 @@ pub struct Arguments {
 
 /// The commands.
 #[derive(Debug, Subcommand)]
+#[command(defer = true)]
 pub enum Command {
     /// Solve a problem file: settlement, tilt, force, moment, pressure.
     Solve(SolveArguments),

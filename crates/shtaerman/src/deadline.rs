@@ -9,9 +9,11 @@ pub(crate) mod work {
     /// What a search may do, some five seconds, and as much again for so many measured points.
     pub(crate) const MOST: f64 = 3.2e11;
     pub(crate) const POINTS: f64 = 1000.0;
-    /// Of a step on panels for each node, and for each of a product.
+    /// Of a step on panels for each node, and of a look at a place; and of a product for each node.
     pub(crate) const NODE: f64 = 4.7e5;
     pub(crate) const PRODUCT: f64 = 3.5e4;
+    /// Of the means over groups of panels for each cube of their number, which is a definite system (survey: a step that shows 6000 zones).
+    pub(crate) const GROUPS: f64 = 0.5;
     /// So many pairs of nodes that are near to each other take as long as a node (survey: 40 to 300 a node, up to 5800 where they crowd).
     pub(crate) const PAIRS: f64 = 300.0;
     /// So many times as much where the kernel is a power.

@@ -10,7 +10,7 @@ use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::quadrature::double_exponential;
 use crate::special::exponential_sum::ExponentialSum;
-use crate::special::logarithms;
+use crate::special::{logarithms, sines};
 use crate::{Error, Interval, memory};
 
 /// `pi` less its nearest double.
@@ -229,8 +229,10 @@ impl Kernel for LogarithmSine {
         values: &mut [f64],
         factors: &mut [f64],
     ) {
-        let chords = values.iter_mut().zip(distances);
-        chords.for_each(|(chord, distance)| *chord = 2.0 * (0.5 * distance).sin());
+        let halves = values.iter_mut().zip(distances);
+        halves.for_each(|(half, distance)| *half = 0.5 * distance);
+        sines(values);
+        values.iter_mut().for_each(|value| *value *= 2.0);
         logarithms(values);
         values.iter_mut().for_each(|value| *value = -*value);
         factors.fill(-1.0);

@@ -5,10 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::on_panel::OnPanel;
 use super::rings::Rings;
 use super::rule::logarithm_moments;
-use super::sums::SIDE_BY_SIDE;
 use crate::Error;
 use crate::complementarity::{mean_logarithm, mean_power};
-use crate::special::{logarithms, powers};
+use crate::special::{logarithms, powers, sines_of_half_turns};
 
 /// Beyond this many half-lengths from the middle moments of a power are computed downwards, and the decimals in the logarithm of what that leaves out.
 const FORWARD: f64 = 1.05;
@@ -101,16 +100,8 @@ impl PanelKernel {
             Self::Ring(ref rings) => return rings.values(distances),
             Self::Logarithm => distances.iter_mut().for_each(|d| *d = d.abs()),
             Self::Sine => {
-                let mut remainders = [0.0; SIDE_BY_SIDE];
-                for part in distances.chunks_mut(SIDE_BY_SIDE) {
-                    for (d, remainder) in part.iter_mut().zip(&mut remainders) {
-                        (*d, *remainder) = (self.shortest(*d).abs(), self.remainder(*d));
-                    }
-                    logarithms(part);
-                    let both = part.iter_mut().zip(&remainders);
-                    both.for_each(|(value, remainder)| *value = remainder - *value);
-                }
-                return;
+                sines_of_half_turns(distances);
+                distances.iter_mut().for_each(|d| *d *= 2.0);
             }
             Self::Power { exponent } => {
                 distances.iter_mut().for_each(|d| *d = d.abs());

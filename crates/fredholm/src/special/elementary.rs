@@ -1,14 +1,16 @@
-//! Logarithms, exponentials and powers of many numbers at once, by additions, multiplications and divisions alone, which vector units do side by side.
+//! Logarithms, sines, exponentials and powers of many numbers at once, by additions, multiplications and divisions alone, which vector units do side by side.
 //!
 //! The library of the system takes one number at a time, and its last digit goes by the system. These have the same bits for every width of the vectors and everywhere.
 
-use std::f64::consts::{LN_2, LOG2_E, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, LN_2, LOG2_E, PI, SQRT_2};
 
 use crate::linear::vectorised;
 
 /// `ln 2` to 32 bits, so that products with exponents are exact, and the rest.
 const LN_2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
+/// `pi` less its nearest double.
+const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
 /// Bits of a mantissa, and how many there are.
 const MANTISSA: u64 = (1 << MANTISSA_BITS) - 1;
 const MANTISSA_BITS: u32 = 52;
@@ -50,6 +52,23 @@ pub(crate) fn logarithms_of_one_and(numbers: &mut [f64]) {
                 *x = logarithm(sum) + lost / sum;
             }
         },
+    );
+}
+
+/// Replaces each angle, from 0 to `pi`, by its sine, to 2 units in the last place.
+pub(crate) fn sines(angles: &mut [f64]) {
+    vectorised(
+        #[inline(always)]
+        || angles.iter_mut().for_each(|angle| *angle = sine(*angle)),
+    );
+}
+
+/// Replaces each number `d`, up to a thousand turns, by `|sin(pi d/2)|`, to 3 units in the last place.
+pub(crate) fn sines_of_half_turns(numbers: &mut [f64]) {
+    let shorter = |d: f64| (d - 2.0 * ((0.5 * d + WHOLE) - WHOLE)).abs();
+    vectorised(
+        #[inline(always)]
+        || numbers.iter_mut().for_each(|d| *d = sine(FRAC_PI_2 * shorter(*d))),
     );
 }
 
@@ -129,6 +148,26 @@ const fn term(n: u32) -> f64 {
 fn logarithm(x: f64) -> f64 {
     let (k, f) = parts(x);
     k * LN_2_HIGH + (f + (beyond_linear(f) + k * LN_2_LOW))
+}
+
+/// `sin x` by its series from the nearer of 0 and `pi`, of which the first term left out is 1e-18.
+#[inline(always)]
+fn sine(x: f64) -> f64 {
+    let y = if x > FRAC_PI_2 { (PI - x) + PI_REST } else { x };
+    let z = y * y;
+    let w = z * z;
+    // Two chains.
+    let odd = (((inverse_factorial(19) * w + inverse_factorial(15)) * w + inverse_factorial(11))
+        * w
+        + inverse_factorial(7))
+        * w
+        + inverse_factorial(3);
+    let even = (((inverse_factorial(21) * w + inverse_factorial(17)) * w + inverse_factorial(13))
+        * w
+        + inverse_factorial(9))
+        * w
+        + inverse_factorial(5);
+    y + y * z * (even * z - odd)
 }
 
 /// `2^n e^y` for a whole `n` and `|y| < 0.36`, where it is normal.
@@ -242,6 +281,29 @@ mod tests {
         logarithms_of_one_and(&mut found);
         for (x, found) in numbers.iter().zip(found) {
             assert!(units(found, x.ln_1p()) <= 2.0, "{x:e}: {found} {}", x.ln_1p());
+        }
+    }
+
+    #[test]
+    fn sines_are_those_of_the_system() {
+        let mut angles: Vec<f64> = numbers().into_iter().filter(|x| *x <= PI).collect();
+        angles.extend((0..40_000).map(|i| PI / 40_000.0 * f64::from(i)));
+        angles.extend((1..50).map(|k| PI - PI * 0.5f64.powi(k)));
+        angles.extend([0.0, FRAC_PI_2.next_up(), FRAC_PI_2, PI, PI.next_down()]);
+        let mut found = angles.clone();
+        sines(&mut found);
+        for (x, found) in angles.iter().zip(found) {
+            assert!(units(found, x.sin()) <= 2.0, "{x:e}: {found} {}", x.sin());
+        }
+        // Whole turns are exact, and so are these parts of one.
+        for turns in [-2.0, 0.0, 1.0, 7.0] {
+            let parts = (-64..=64).map(|k| f64::from(k) / 64.0);
+            let mut found: Vec<f64> = parts.clone().map(|part| 2.0 * turns + part).collect();
+            sines_of_half_turns(&mut found);
+            for (part, found) in parts.zip(found) {
+                let exact = (FRAC_PI_2 * part).sin().abs();
+                assert!(units(found, exact) <= 3.0, "{turns} {part}: {found} {exact}");
+            }
         }
     }
 

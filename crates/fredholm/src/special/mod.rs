@@ -10,7 +10,9 @@ mod oscillatory_tail;
 mod poles;
 
 pub use cosine_integral::cosine_integral_pi;
-pub(crate) use elementary::{logarithms, logarithms_of_one_and, powers, powers_within};
+pub(crate) use elementary::{
+    logarithms, logarithms_of_one_and, powers, powers_within, sines, sines_of_half_turns,
+};
 pub use elliptic::arithmetic_geometric_mean;
 pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
 pub use macdonald::macdonald;

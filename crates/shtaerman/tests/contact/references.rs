@@ -1,4 +1,4 @@
-//! Default settings against solutions in 40-digit arithmetic, from very rough to almost smooth.
+//! Default settings against solutions in 40-digit arithmetic, from very rough to almost smooth, and against one of several zones by another rule.
 
 use shtaerman::{Foundation, Load, Problem, Profile, Punch, Rotational, Solver, Vertical};
 
@@ -50,5 +50,30 @@ fn twelve_digits_at_every_roughness() {
                 );
             }
         }
+    }
+}
+
+#[test]
+fn zones_by_a_rule_of_their_own() {
+    // By Kress' rule with 240 nodes a zone and edges of its own, in another language.
+    let profile = Profile::expression("3*(0.4*xi^2 + 0.1*cos(23*xi+0.4))").unwrap();
+    let punch = Punch::new(1.0).unwrap().with_profile(profile);
+    let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.1)).unwrap();
+    let foundation = Foundation::dimensionless(0.5).unwrap();
+    let contact = Problem::new(foundation, punch, load).unwrap().solve().unwrap();
+    let found = contact.dimensionless();
+    let (zones, error) = (found.zones(), found.error().unwrap());
+    let edges = error.zones.unwrap();
+    for (value, exact, stated) in [
+        (found.settlement(), 1.316_596_649_734_666_2, error.settlement),
+        (found.tilt(), -0.269_029_783_377_773_3, error.tilt),
+        (zones[0][1], -0.903_283_016_182_785, edges),
+        (zones[1][0], -0.796_427_759_465_558_3, edges),
+        (found.pressure(-0.97).unwrap(), 0.179_993_382_878_006, error.pressure),
+        (found.pressure(-0.93).unwrap(), 0.122_054_414_169_489_6, error.pressure),
+    ] {
+        assert!(stated < 2e-12, "{stated:e}");
+        let off = (value - exact).abs();
+        assert!(off <= stated + 4e-15, "{value} {exact}: {off:e}, {stated:e} stated");
     }
 }

@@ -1,4 +1,4 @@
-//! Measured profiles on panels: sensitivities against differences of complete solves, and gaps that no sample shows.
+//! Measured profiles on panels: sensitivities against differences of complete solves, what a force leads to when that is prescribed, and gaps that no sample shows.
 
 use shtaerman::{
     Complementarity, Foundation, Load, MethodName, Problem, Profile, Punch, Rotational, Vertical,
@@ -77,4 +77,38 @@ fn a_gap_narrower_than_the_samples_parts_a_zone() {
     assert_eq!(found.zones().len(), 34);
     let Complementarity { tension, penetration } = found.complementarity().unwrap();
     assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+}
+
+#[test]
+fn what_comes_out_may_be_prescribed() {
+    for (theta0, force, e) in [(30.0, 1.0, 0.1), (2.0, 0.4, -0.3)] {
+        let arm = Rotational::Eccentricity(e);
+        let held = |vertical, rotational| {
+            problem(theta0, trace(1200, theta0), vertical, rotational).solve().unwrap()
+        };
+        let free = held(Vertical::Force(force), arm);
+        let (given, known) = (free.dimensionless(), free.dimensionless().error().unwrap());
+        assert_within("moment", given.moment(), e * force, 1e-14);
+        let settled = Vertical::Settlement(given.settlement());
+        let both = held(settled, Rotational::Tilt(given.tilt()));
+        assert_within("force", both.dimensionless().force(), force, 1e-10);
+        assert_within("moment", both.dimensionless().moment(), e * force, 1e-10);
+        for (one, other) in free.zones().iter().flatten().zip(both.zones().iter().flatten()) {
+            assert_within("edge", *one, *other, 1e-11);
+        }
+        // A settlement with an eccentricity is found by a search of its own.
+        let contact = held(settled, arm);
+        let (found, stated) = (contact.dimensionless(), contact.dimensionless().error().unwrap());
+        assert_eq!(contact.method().name, MethodName::Panels);
+        assert_eq!(found.zones().len(), free.zones().len());
+        assert_within("force", found.force(), force, stated.force + 1e-13 * force);
+        assert_within("moment", found.moment(), e * force, stated.moment + 1e-13 * force);
+        assert_within("tilt", found.tilt(), given.tilt(), stated.tilt + known.tilt);
+        // The rates are the inverse of those under the force.
+        let [by_settlement, by_force] =
+            [&contact, &free].map(|contact| contact.tangent_sensitivities().unwrap());
+        let stiffness = by_settlement.force.unwrap().settlement.unwrap();
+        let compliance = by_force.settlement.unwrap().force.unwrap();
+        assert_within("rate", stiffness * compliance, 1.0, 1e-8);
+    }
 }

@@ -12,6 +12,7 @@ use crate::contact::accuracy::SAFETY;
 use crate::contact::check::between_breaks;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
+use crate::contact::intervals::joined;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
@@ -48,6 +49,17 @@ pub(super) struct Base {
     pub(super) samples: Vec<(f64, f64)>,
     /// What cells show of the contact, once that is asked for.
     coarse: OnceCell<Vec<[f64; 2]>>,
+}
+
+/// The intervals of a wave between `cut` and `cut + 2`; none where the cut is in one of them: other cells may show a gap there.
+fn seen_from(known: Vec<[f64; 2]>, cut: f64) -> Option<Vec<[f64; 2]>> {
+    let images = |ends: [f64; 2]| [-2.0, 0.0, 2.0].map(|by| ends.map(|end| end + by));
+    let mut images = joined(known.into_iter().flat_map(images).collect());
+    let window = [cut, cut + 2.0];
+    let is_cut = |ends: &[f64; 2]| window.iter().any(|at| ends[0] <= *at && *at <= ends[1]);
+    let is_apart = !images.iter().any(is_cut);
+    images.retain(|[left, right]| *left > window[0] && *right < window[1]);
+    is_apart.then_some(images)
 }
 
 /// Samples of the pieces that show the ups and downs of the profile.
@@ -167,7 +179,8 @@ impl Base {
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces) = (breaks, samples, vec![window]);
         (self.surface.origin, self.surface.images) = (cut + 1.0, places);
-        self.coarse = OnceCell::new();
+        let seen = self.coarse.take().and_then(|known| seen_from(known, cut));
+        self.coarse = seen.map_or_else(OnceCell::new, OnceCell::from);
         self.find_steps();
         self
     }

@@ -2,9 +2,7 @@
 
 use super::*;
 use crate::contact::balance::State;
-use crate::{
-    Complementarity, Foundation, Load, MethodName, Problem, Profile, Punch, Rotational, Vertical,
-};
+use crate::{Complementarity, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 const FORCED: Vertical = Vertical::Force(1.0);
 
@@ -175,55 +173,5 @@ fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
     assert_within("moment", moment, 0.2, 1e-11);
     for (sum, x) in displaced.into_iter().zip([inside, beside]) {
         assert_within("displacement", sum, found.displacement(x), 1e-10 * size(&found, 1.0));
-    }
-}
-
-#[test]
-fn a_wave_agrees_with_a_rule_of_its_own() {
-    // By Kress' rule with 240 nodes a zone and edges of its own, in another language.
-    let found = panels(&expression([0.5, 1.0], "3*(0.4*xi^2 + 0.1*cos(23*xi+0.4))", 0.1));
-    let (accuracy, edge) = (found.accuracy().unwrap(), found.edge_error().unwrap());
-    let State { settlement, tilt, .. } = found.state();
-    for (value, exact, stated) in [
-        (settlement, 1.316_596_649_734_666_2, accuracy.settlement),
-        (tilt, -0.269_029_783_377_773_3, accuracy.tilt),
-        (found.zones()[0][1], -0.903_283_016_182_785, edge),
-        (found.zones()[1][0], -0.796_427_759_465_558_3, edge),
-        (found.pressure(-0.97), 0.179_993_382_878_006, accuracy.pressure),
-        (found.pressure(-0.93), 0.122_054_414_169_489_6, accuracy.pressure),
-    ] {
-        assert!(stated < 2e-12, "{stated:e}");
-        assert_within("value", value, exact, stated + 4e-15);
-    }
-}
-
-#[test]
-fn what_comes_out_may_be_prescribed() {
-    for (theta0, force, e) in [(30.0, 1.0, 0.1), (2.0, 0.4, -0.3)] {
-        let (law, arm) = ([theta0, 1.0], Rotational::Eccentricity(e));
-        let load = Load { vertical: Vertical::Force(force), rotational: arm };
-        let held = |vertical, rotational| problem(law, trace(1200, theta0), vertical, rotational);
-        let free = panels(&held(load.vertical, arm));
-        let State { settlement, tilt, moment, .. } = free.state();
-        assert_within("moment", moment, e * force, 1e-14);
-        let settled = Vertical::Settlement(settlement);
-        let both = panels(&held(settled, Rotational::Tilt(tilt)));
-        assert_within("force", both.state().force, force, 1e-10);
-        assert_within("moment", both.state().moment, moment, 1e-10);
-        for (one, other) in free.zones().iter().flatten().zip(both.zones().iter().flatten()) {
-            assert_within("edge", *one, *other, 1e-11);
-        }
-        // A settlement with an eccentricity is found by a search of its own.
-        let contact = held(settled, arm).solve().unwrap();
-        let (found, stated) = (contact.dimensionless(), contact.dimensionless().error().unwrap());
-        assert_eq!(contact.method().name, MethodName::Panels);
-        assert_eq!(found.zones().len(), free.zones().len());
-        assert_within("force", found.force(), force, stated.force + 1e-13 * force);
-        assert_within("moment", found.moment(), moment, stated.moment + 1e-13 * force);
-        assert_within("tilt", found.tilt(), tilt, stated.tilt + free.accuracy().unwrap().tilt);
-        // The rates are the inverse of those under the force.
-        let by_settlement = contact.tangent_sensitivities().unwrap().force.unwrap();
-        let [raise, _] = free.stiffness().displaced(&load, [1.0, 0.0]);
-        assert_within("rate", by_settlement.settlement.unwrap() * raise, 1.0, 1e-8);
     }
 }

@@ -255,7 +255,11 @@ impl Discrete for PanelNodes<'_> {
     }
 
     fn inverse(&self, slopes: Option<Vec<f64>>) -> Result<PanelInverse, Error> {
-        PanelInverse::new(self.base, &self.kernel, self.operator.panels(), self.parameter, slopes)
+        let (base, panels) = (self.base, self.operator.panels());
+        let inverse = PanelInverse::new(base, &self.kernel, panels, self.parameter, slopes)?;
+        // What the groups do to each other is a dense system.
+        base.problem().deadline().spend(work::GROUPS * (inverse.groups.count() as f64).powi(3));
+        Ok(inverse)
     }
 
     fn solve(

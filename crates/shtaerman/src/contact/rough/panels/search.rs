@@ -21,6 +21,7 @@ use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
+use crate::deadline::work;
 use crate::line_search::{Point, positive, top};
 use crate::rounding::OF_A_VALUE;
 
@@ -172,10 +173,18 @@ impl<'b> ManyPanels<'b> {
         let (base, effort) = (self.base, LADDER[rung]);
         let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);
         for _ in 0..ROUNDS {
-            if zones.is_empty() {
+            // Where no work is left there will be no answer.
+            if zones.is_empty() || base.problem().deadline().is_spent() {
                 break;
             }
+            let t1 = std::time::Instant::now();
             let nodes = PanelNodes::new(base, &self.joints, &zones, effort, known.as_ref())?;
+            eprintln!(
+                "rung {rung} zones {} n {} new {:?}",
+                zones.len(),
+                nodes.operator.panels().count(),
+                t1.elapsed()
+            );
             let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near))?;
             let mut solved = Solved::new(&nodes, step);
             if !base.is_bilateral {
@@ -192,6 +201,9 @@ impl<'b> ManyPanels<'b> {
                 // The pressure outside of the panels goes on as the negative gap: these edges are its own.
                 Arc::make_mut(&mut solved.nodes).zones = zones;
             }
+            if base.problem().deadline().is_spent() {
+                break;
+            }
             return solved.answering(&nodes, &inverse, near);
         }
         Err(unknown())
@@ -201,7 +213,11 @@ impl<'b> ManyPanels<'b> {
     fn next_zones(&self, solved: &OnZones) -> Vec<Zone> {
         let base = self.base;
         let size = solved.deepest() + solved.state.settlement.abs() + solved.state.tilt.abs();
-        let given = |at: &[f64]| solved.layers_at(&base.points(at.to_vec()));
+        let layers = |points: &[Point]| {
+            base.problem().deadline().spend(work::NODE * points.len() as f64);
+            solved.layers_at(points)
+        };
+        let given = |at: &[f64]| layers(&base.points(at.to_vec()));
         // At an end the polynomials are least exact, and beside it the same function goes on.
         let is_inside = |xi: &f64| solved.nodes.end_at(*xi).is_none();
         // Of zones and of the gaps between them the ends and the middles.
@@ -219,8 +235,7 @@ impl<'b> ManyPanels<'b> {
             let known = solved.field.interpolated(&solved.given, &at).into_iter().zip(&at);
             let known: Vec<_> = known.map(|(known, xi)| known.filter(|_| is_inside(xi))).collect();
             let open = points.iter().zip(&known).filter(|(_, known)| known.is_none());
-            let mut found =
-                solved.layers_at(&open.map(|(at, _)| *at).collect::<Places>()).into_iter();
+            let mut found = layers(&open.map(|(at, _)| *at).collect::<Places>()).into_iter();
             for (point, known) in points.iter_mut().zip(known) {
                 point.1 = known.or_else(|| found.next()).unwrap_or(point.1);
             }
