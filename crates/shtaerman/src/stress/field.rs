@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::complex::Complex;
-use super::panel::{Panel, Potential, Seen};
+use super::panel::{Panel, Potential, SEAM, Seen};
 use super::sampling::Effort;
 use super::{Stress, sampling};
 use crate::Error;
@@ -28,6 +28,8 @@ const LEAST_DEPTH: f64 = 1e-16;
 pub struct StressField {
     panels: Vec<Panel>,
     period: Option<f64>,
+    /// Whether the panels fill the period.
+    is_closed: bool,
     poisson_ratio: f64,
     /// Units of length and stress: all inside is without dimensions.
     pub(super) units: [f64; 2],
@@ -81,11 +83,24 @@ impl StressField {
             "greater than -1 and at most 0.5",
         )?;
         check(panels, period)?;
-        let (panels, error) = sampling::resolved(panels, period, effort, pressure)?;
+        let (mut panels, error) = sampling::resolved(panels, period, effort, pressure)?;
+        let is_closed = is_closed(&panels, period);
+        if is_closed {
+            Panel::close(&mut panels);
+        }
         let shortest = panels.iter().map(Panel::length).fold(f64::INFINITY, f64::min);
         let reach = panels.iter().map(|panel| panel.left.abs().max(panel.right.abs()));
         let farthest = FARTHEST * reach.fold(0.0, f64::max);
-        Ok(Self { panels, period, poisson_ratio, units: [1.0; 2], shortest, farthest, error })
+        Ok(Self {
+            panels,
+            period,
+            is_closed,
+            poisson_ratio,
+            units: [1.0; 2],
+            shortest,
+            farthest,
+            error,
+        })
     }
 
     /// The same field in units of length and stress.
@@ -202,6 +217,7 @@ impl StressField {
     }
 
     pub(super) fn potential<const CUBES: bool>(&self, x: f64, depth: f64) -> Potential {
+        let x = self.reduced(x);
         let mut sum = [Complex::ZERO; 3];
         for panel in &self.panels {
             let part = panel.potential::<CUBES>(panel.seen(x, depth));
@@ -210,8 +226,24 @@ impl StressField {
         sum
     }
 
+    /// The same place in the period about the middle of all panels.
+    pub(super) fn reduced(&self, x: f64) -> f64 {
+        let [Some(first), Some(last)] = [self.panels.first(), self.panels.last()] else {
+            return x;
+        };
+        let [left, right] = [first.left, last.right];
+        match self.period {
+            Some(period) if !(left..=right).contains(&x) => {
+                let x = x - period * ((x - left.midpoint(right)) / period).round();
+                if self.is_closed { x.clamp(left, right) } else { x }
+            }
+            _ => x,
+        }
+    }
+
     /// `p` at `x`.
     pub(super) fn surface(&self, x: f64) -> f64 {
+        let x = self.reduced(x);
         let mut pressure = 0.0f64;
         for panel in &self.panels {
             let Seen { from_left, to_right, .. } = panel.seen(x, 0.0);
@@ -241,9 +273,21 @@ impl StressField {
         &self.panels
     }
 
+    pub(super) fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
     pub(super) fn inner_period(&self) -> Option<f64> {
         self.period
     }
+}
+
+/// Whether the panels fill their period.
+fn is_closed(panels: &[Panel], period: Option<f64>) -> bool {
+    let ends = panels.first().zip(panels.last());
+    ends.zip(period).is_some_and(|((first, last), period)| {
+        (last.right - first.left - period).abs() <= SEAM * period
+    })
 }
 
 /// `sigma_x + sigma_y`, `sigma_x - sigma_y`, `tau_xy`.
@@ -264,8 +308,7 @@ fn check(panels: &[[f64; 2]], period: Option<f64>) -> Result<(), Error> {
     }
     if let Some(period) = period {
         let reach = before - panels[0][0];
-        // Edges are computed: a base without gaps fills its period but for rounding.
-        let fits = period.is_finite() && reach <= period * (1.0 + 1e-12);
+        let fits = period.is_finite() && reach <= period * (1.0 + SEAM);
         require(fits, "period", period, "finite and at least as long as all panels")?;
     }
     Ok(())

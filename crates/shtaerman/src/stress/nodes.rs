@@ -57,12 +57,10 @@ impl Nodes {
         });
     }
 
-    /// The sums for `z - end = x + i y`; the third only where `CUBES`.
+    /// The sums for `z - end = x + i y`, of a periodic pressure from the nearest repetition of the end: a sine keeps its digits at 0 and not at `pi`. The third only where `CUBES`.
     pub(super) fn sums<const CUBES: bool>(&self, x: f64, y: f64, period: Option<f64>) -> Sums {
         match (&self.turned, period) {
             (Some([cosines, sines]), Some(period)) => {
-                // The nearest repetition: a sine keeps its digits at 0 and not at pi.
-                let x = x - period * (x / period).round();
                 self.periodic_sums::<CUBES>(cosines, sines, [x, y], PI / period)
             }
             _ => self.plain_sums::<CUBES>(x, y),

@@ -19,6 +19,8 @@ const NEGLIGIBLE_BRACKET: f64 = 1e-19;
 const NEGLIGIBLE_STRENGTH: f64 = 1e-20;
 const SMALL_DISTANCE: f64 = 1e-19;
 const LEAST_DISTANCE: f64 = 1e-33;
+/// A base that leaves open no more of its period than this leaves nothing: edges are computed (rounding).
+pub(super) const SEAM: f64 = 1e-12;
 
 /// `F`, `F'`, `F''`.
 pub(super) type Potential = [Complex; 3];
@@ -30,6 +32,8 @@ pub(super) struct Seen {
     pub(super) from_left: f64,
     /// `r - x`.
     pub(super) to_right: f64,
+    /// `x` less the nearest repetition of either end: of a base without gaps both are the same place.
+    nearest: [f64; 2],
     /// Depth.
     pub(super) depth: f64,
 }
@@ -49,8 +53,9 @@ pub(super) struct Panel {
     pub(super) ends: [f64; 2],
     step: f64,
     grids: [Grid; 2],
-    /// The period of a pressure that is repeated.
+    /// The period of a pressure that is repeated, and either end with its repetitions on both sides.
     period: Option<f64>,
+    images: [[f64; 3]; 2],
 }
 
 impl Panel {
@@ -66,7 +71,9 @@ impl Panel {
         if let Some(value) = ends.into_iter().find(|value| value.is_nan()) {
             return Err(Error::Overflow { quantity: "pressure", value });
         }
-        let mut panel = Self { left, right, ends, step, grids: Default::default(), period };
+        let images =
+            [left, right].map(|end| [-1.0, 0.0, 1.0].map(|by| end + by * period.unwrap_or(0.0)));
+        let mut panel = Self { left, right, ends, step, grids: Default::default(), period, images };
         for (grid, shift) in [(0, 0.0), (1, 0.5)] {
             panel.grids[grid] = sampled(length, step, shift, period, pressure)?;
         }
@@ -101,13 +108,29 @@ impl Panel {
         nodes.iter().flat_map(|nodes| nodes.strengths().iter().copied())
     }
 
-    /// How the panel, or that of its repetitions which is nearest, sees a place.
+    /// Lets the first and the last panel of a base without gaps meet at one place, as seen from either: else rounding parts them, and a place beside the seam is near to one of two ends only.
+    pub(super) fn close(panels: &mut [Self]) {
+        if let [first, ..] = panels {
+            let left = first.left;
+            let last = panels.len() - 1;
+            let right = panels[last].right;
+            panels[last].images[1][0] = left;
+            panels[0].images[0][2] = right;
+        }
+    }
+
+    /// How the panel, or that of its repetitions which is nearest, sees a place no farther away than a period.
     pub(super) fn seen(&self, x: f64, depth: f64) -> Seen {
-        let x = match self.period {
-            Some(period) => x - period * ((x - 0.5 * (self.left + self.right)) / period).round(),
-            None => x,
-        };
-        Seen { from_left: x - self.left, to_right: self.right - x, depth }
+        let is_inside = (self.left..=self.right).contains(&x);
+        let turn = self.period.filter(|_| !is_inside).map_or(0.0, |period| {
+            ((x - 0.5 * (self.left + self.right)) / period).round().clamp(-1.0, 1.0)
+        });
+        let [left, right] = self.images.map(|images| images[(1.0 + turn) as usize]);
+        let nearest = self.images.map(|images| {
+            let distances = images.map(|image| x - image);
+            distances.into_iter().fold(f64::INFINITY, |a, b| if b.abs() < a.abs() { b } else { a })
+        });
+        Seen { from_left: x - left, to_right: right - x, nearest, depth }
     }
 
     /// The place `tau` of the strip.
@@ -119,7 +142,21 @@ impl Panel {
             below.scaled(self.length())
         };
         let (left, right) = (fraction(1.0), fraction(-1.0));
-        Seen { from_left: left.re, to_right: right.re, depth: left.im.max(0.0) }
+        let (from_left, to_right) = (left.re, right.re);
+        // Beyond half a period the other repetition is nearer, which the other end is so far away from.
+        let nearest = match self.period {
+            Some(period) => {
+                let gap = period - self.length();
+                let gap = if gap <= SEAM * period { 0.0 } else { gap };
+                let is_far = |distance: f64| distance > 0.5 * period;
+                [
+                    if is_far(from_left) { -(to_right + gap) } else { from_left },
+                    if is_far(to_right) { from_left + gap } else { -to_right },
+                ]
+            }
+            None => [from_left, -to_right],
+        };
+        Seen { from_left, to_right, nearest, depth: left.im.max(0.0) }
     }
 
     /// `F`, `F'` and, where `CUBES`, `F''` at a place that is no end of the panel.
@@ -132,7 +169,7 @@ impl Panel {
     }
 
     /// `tau = ln((z - l)/(r - z))`, in the strip `0 <= Im tau <= pi`.
-    fn preimage(&self, Seen { from_left, to_right, depth }: Seen) -> Complex {
+    fn preimage(&self, Seen { from_left, to_right, depth, .. }: Seen) -> Complex {
         let ratio = from_left.hypot(depth) / to_right.hypot(depth);
         Complex::new(ratio.ln(), depth.atan2(from_left) + depth.atan2(to_right))
     }
@@ -150,9 +187,10 @@ impl Panel {
     }
 
     fn potential_by<const CUBES: bool>(&self, grid: usize, tau: Complex, seen: Seen) -> Potential {
-        let Seen { from_left, to_right, depth } = seen;
+        let Seen { from_left, to_right, depth, .. } = seen;
         let [even, odd] = [0, 1].map(|parity| {
-            let [left, right]: [Sums; 2] = [(0, from_left), (1, -to_right)].map(|(end, x)| {
+            let [left, right]: [Sums; 2] = [0, 1].map(|end| {
+                let x = seen.nearest[end];
                 self.grids[grid].nodes[end][parity].sums::<CUBES>(x, depth, self.period)
             });
             [0, 1, 2].map(|i| left[i] + right[i])

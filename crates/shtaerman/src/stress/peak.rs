@@ -30,9 +30,14 @@ const MOST_REFINED: usize = 24;
 const EQUAL: f64 = 1e-12;
 /// A maximum as close to a corner, relative to the longest panel, and not above its limit, climbs towards that.
 const CLOSE: f64 = 1e-2;
+/// The first step of a refinement, relative to the distance from the nearest end: a quarter of what the grid has there, as longer ones lead to another maximum.
+const SHORT: f64 = 0.03;
 /// Steps of each refinement.
 const COMPASS_STEPS: usize = 60;
-const NEWTON_STEPS: usize = 40;
+const NEWTON_STEPS: usize = 80;
+/// Halvings of a step of Newton's method, and the share of the rise that the gradient tells which a step has to have (Armijo's condition).
+const SHORTENED: i32 = 12;
+const ASCENT: f64 = 0.1;
 /// Offset of the difference quotients of the gradient, and the step that is small enough, relative to the distance from the nearest end.
 const OFFSET: f64 = 1e-5;
 const SETTLED: f64 = 1e-13;
@@ -74,7 +79,7 @@ impl StressField {
     fn is_limit(&self, peak: &Peak, corner: &Peak) -> bool {
         let longest = self.inner().iter().map(Panel::length).fold(0.0, f64::max);
         let close = (peak.x - corner.x).hypot(peak.depth) <= CLOSE * longest;
-        corner.is_corner && close && peak.value <= corner.value * (1.0 + EQUAL)
+        close && peak.value <= corner.value * (1.0 + EQUAL)
     }
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {
@@ -182,7 +187,7 @@ impl StressField {
 
     /// By steps along the axes, halved where none leads upwards.
     fn climbed(&self, criterion: Criterion, (mut place, mut value): Reached) -> Reached {
-        let mut step = 0.25 * self.distance(place);
+        let mut step = SHORT * self.distance(place);
         for _ in 0..COMPASS_STEPS {
             let around = [[step, 0.0], [-step, 0.0], [0.0, step], [0.0, -step]];
             let best = around
@@ -222,21 +227,23 @@ impl StressField {
                 0.5 * (quotient(right[1], left[1]) + quotient(below[0], above[0])),
                 quotient(below[1], above[1]),
             ];
-            let mut step = ascent(hessian, gradient);
+            let step = ascent(hessian, gradient);
             let size = step[0].hypot(step[1]);
             if size.is_nan() || size <= SETTLED * reach {
                 break;
             }
-            let most = 0.3 * reach.min(place[1]);
-            if size > most {
-                step = step.map(|part| part * most / size);
-            }
-            let next = [place[0] + step[0], place[1] + step[1]];
-            let reached = self.equivalent(criterion, next);
-            // Next to the top the values differ by rounding alone, while the gradient still tells the place.
-            if reached < value * (1.0 - EQUAL) {
-                break;
-            }
+            // Along a ridge that bends a full step leads off it, a shorter one upwards: the direction is one of ascent.
+            let most = (0.3 * reach.min(y) / size).min(1.0);
+            let rise = step[0] * gradient[0] + step[1] * gradient[1];
+            let next = (0..SHORTENED).find_map(|cut| {
+                let share = most * 0.5f64.powi(cut);
+                let next = [x + share * step[0], y + share * step[1]];
+                let reached = self.equivalent(criterion, next);
+                // Next to the top the values differ by rounding alone, while the gradient still tells the place.
+                let least = value + ASCENT * share * rise - EQUAL * value;
+                (reached >= least).then_some((next, reached))
+            });
+            let Some((next, reached)) = next else { break };
             (place, value) = (next, reached);
         }
         (place, value)
@@ -244,6 +251,7 @@ impl StressField {
 
     /// Distance from the nearest end of a panel.
     fn distance(&self, [x, y]: [f64; 2]) -> f64 {
+        let x = self.reduced(x);
         let to_end = |panel: &Panel| {
             let seen = panel.seen(x, y);
             seen.from_left.hypot(y).min(seen.to_right.hypot(y))
@@ -312,8 +320,8 @@ impl StressField {
 
     /// A base without gaps ends where it begins again.
     fn join_period(&self, corners: &mut [(f64, [f64; 2])]) {
-        if let (Some(period), [first, .., last]) = (self.inner_period(), corners)
-            && (last.0 - first.0 - period).abs() <= 1e-12 * period
+        if let [first, .., last] = corners
+            && self.is_closed()
         {
             first.1[0] = last.1[0];
             last.1[1] = first.1[1];

@@ -177,14 +177,7 @@ impl<'b> ManyPanels<'b> {
             if zones.is_empty() || base.problem().deadline().is_spent() {
                 break;
             }
-            let t1 = std::time::Instant::now();
             let nodes = PanelNodes::new(base, &self.joints, &zones, effort, known.as_ref())?;
-            eprintln!(
-                "rung {rung} zones {} n {} new {:?}",
-                zones.len(),
-                nodes.operator.panels().count(),
-                t1.elapsed()
-            );
             let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near))?;
             let mut solved = Solved::new(&nodes, step);
             if !base.is_bilateral {
