@@ -443,3 +443,32 @@ fn the_unit_of_length_does_not_matter() {
     let error = solve(0.4999, 1.0, 1.0).unwrap_err();
     assert!(matches!(error, Error::InvalidParameter { name: "order", .. }));
 }
+
+/// Far from 0 the solution for 1 is that of a convolution over the whole line, `1/(1 + lambda int K)`; orders near 0.48 leave the end value so slowly that the first nodes lie at the smallest numbers.
+#[test]
+fn orders_up_to_the_largest_are_solved() {
+    let many = (0..40).map(f64::from);
+    let many = many.map(|k| (0.44 + 0.001 * k, 1.3 + 0.037 * k, 0.2 + 0.013 * k));
+    for (order, decay, parameter) in many.chain([(0.4709, 2.039, 0.3081)]) {
+        let kernel = MacdonaldHalfLine::new(order, decay).unwrap();
+        let reach = 60.0 / kernel.decay();
+        let solution = solve_half_line(&kernel, parameter, |_| 1.0, reach, 1e-9).unwrap();
+        let far = 1.0 / (1.0 + parameter * kernel.symbol_at_zero());
+        let off = (solution.evaluate(reach, 1.0) - far).abs();
+        assert!(off <= solution.estimate().solution, "{order}: {off:e}");
+    }
+}
+
+/// The place that was asked for is inside, however the product with the decay is rounded.
+#[test]
+fn the_solution_is_known_where_it_was_asked_for() {
+    for k in 0..200 {
+        let kernel = MacdonaldHalfLine::new(0.1779, 1.851 + 0.001 * f64::from(k)).unwrap();
+        let reach = 12.918_545_904_399_247 + 0.01 * f64::from(k);
+        let solution = solve_half_line(&kernel, 0.1759, |x| x * (-x).exp(), reach, 1e-6).unwrap();
+        assert_eq!(solution.end(), reach);
+        let f = reach * (-reach).exp();
+        assert!(solution.evaluate(reach, f).is_finite(), "{k}");
+        assert!(solution.evaluate(reach.next_up(), f).is_nan(), "{k}");
+    }
+}

@@ -89,7 +89,7 @@ pub fn solve_half_line_in_parts(
         "finite and positive",
     )?;
     require("x_max", x_max, end >= 0.0 && end.is_finite(), "finite and not negative")?;
-    Problem::new(kernel, parameter, &f, (end, cuts))?.solve(tolerance)
+    Problem::new(kernel, parameter, &f, (x_max, cuts))?.solve(tolerance)
 }
 
 fn require(

@@ -43,7 +43,8 @@ pub(super) struct Problem<'p> {
     /// The parameter of the equation in decay lengths, with `kappa = 1`.
     unit_parameter: f64,
     f: &'p dyn Fn(f64) -> f64,
-    /// `x_max` in decay lengths.
+    /// `x_max`, and the same in decay lengths.
+    x_max: f64,
     end: f64,
     /// Length, in decay lengths, in which the influence of what is far falls by `e`.
     fall: f64,
@@ -81,8 +82,9 @@ impl<'p> Problem<'p> {
         kernel: &'p MacdonaldHalfLine,
         parameter: f64,
         f: &'p dyn Fn(f64) -> f64,
-        (end, cuts): (f64, &[f64]),
+        (x_max, cuts): (f64, &[f64]),
     ) -> Result<Self, Error> {
+        let end = kernel.decay() * x_max;
         let top = kernel.symbol_at_zero();
         let strength = parameter * top;
         let end_exponent = kernel.end_exponent();
@@ -110,7 +112,7 @@ impl<'p> Problem<'p> {
         let section = Interval::new(0.0, end + ROOM * fall)?;
         let cuts: Vec<f64> = cuts.iter().map(|x| kernel.decay() * x).collect();
         let sampled = Sampled::new(section, &|xi| f(xi / kernel.decay()), &cuts)?;
-        Ok(Self { kernel, parameter, unit_parameter, f, end, fall, far, step, sampled })
+        Ok(Self { kernel, parameter, unit_parameter, f, x_max, end, fall, far, step, sampled })
     }
 
     /// The solution with its estimates.
@@ -212,7 +214,7 @@ impl<'p> Problem<'p> {
         let nodal = section.solve(&section.factor(parameter)?, &f);
         let tails = section.tails(profile)?;
         let product = tails.iter().zip(&nodal.masses).map(|(t, m)| t * m).sum();
-        let ends = [self.end, layout.length];
+        let ends = [self.x_max, self.end, layout.length];
         let misfit = Misfit::new(&section, &f, layout.length);
         let tapered = section.integral(&f);
         let solution = HalfLineSolution::new(&section, &nodal, self.kernel, self.parameter, ends);

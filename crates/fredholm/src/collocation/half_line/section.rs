@@ -41,7 +41,7 @@ impl Layout {
 
     /// How many nodes it needs.
     fn nodes(self) -> f64 {
-        self.right() + (FARTHEST / self.step).ceil()
+        self.right() + (FARTHEST / self.step).floor()
     }
 
     /// Whether it does not need too many nodes.
@@ -86,7 +86,7 @@ impl Section {
     ) -> Result<Self, Error> {
         let Layout { length, step, stretch } = layout;
         let map = Map::new(stretch);
-        let left = (first(end_exponent) / step).ceil();
+        let left = nodes_to_the_left(end_exponent, step);
         let right = layout.right();
         if !layout.fits() {
             return Err(too_long(layout));
@@ -147,9 +147,10 @@ impl Section {
     }
 }
 
-/// `-t` of the first node: so close to 0 that a solution has its end value there.
-fn first(end_exponent: f64) -> f64 {
-    (DECADES / end_exponent).ln().min(FARTHEST)
+/// How many nodes lie left of `t = 0`: the first so close to 0 that a solution has its end value there, but no nearer than the smallest distance in use.
+fn nodes_to_the_left(end_exponent: f64, step: f64) -> f64 {
+    let wanted = (DECADES / end_exponent).ln();
+    (wanted / step).ceil().min((FARTHEST / step).floor())
 }
 
 /// The smooth end of a section, 1 to rounding until `TAPER` before it.

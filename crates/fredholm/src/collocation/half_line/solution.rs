@@ -55,7 +55,7 @@ impl HalfLineSolution {
         nodal: &Nodal,
         kernel: &MacdonaldHalfLine,
         parameter: f64,
-        [end, length]: [f64; 2],
+        [x_max, end, length]: [f64; 3],
     ) -> Self {
         let decay = kernel.decay();
         let (middle, half) = (0.5 * (length + end), 0.5 * (length - end));
@@ -71,7 +71,7 @@ impl HalfLineSolution {
             step: section.step,
             left: section.left,
             decay,
-            end: end / decay,
+            end: x_max,
             parameter,
             scale: kernel.unit_scale(),
             origin: nodal.at_origin,
