@@ -360,13 +360,6 @@ impl Problem {
         require(scaled > 0.0, "force", force, requirement).map(|_| ())
     }
 
-    /// Refuses a tilt and a moment of a base that fills its period.
-    pub(crate) fn require_no_turn(&self) -> Result<(), Error> {
-        let (field, value) = self.load.rotational.named();
-        let requirement = "zero where the base fills the period: a wave cannot tilt, and a moment does not repeat";
-        require(value == 0.0, field, value, requirement).map(|_| ())
-    }
-
     fn check_profile(&self) -> Result<(), Error> {
         if let Some((xi, defect)) = self.profile().find_not_finite(self.bodies.half_width()) {
             return Err(self.profile_not_finite(xi, defect));

@@ -99,9 +99,9 @@ pub(crate) fn study(
     Ok(study)
 }
 
-/// Reads the problem with the first case: a wrong key or unit is told before anything is computed, where the key is varied. So is an output that no case has.
+/// Reads the problem with the first case that can be: a wrong key or unit is told before anything is computed, where the key is varied. So is an output that no case has.
 fn check(study: &Study, table: &TableReader<'_>) -> Result<(), Error> {
-    let error = match study.file(&study.inputs(0)) {
+    let error = match study.first(&[]) {
         Ok(file) => return check_outputs(study, &file, table),
         Err(error) => error,
     };
@@ -131,7 +131,7 @@ fn is_of(fault: &FileError, field: &str, key: &str) -> bool {
     field == key || (is_made && is_within)
 }
 
-/// Refuses outputs that the first case cannot have, unless others might.
+/// Refuses outputs that this case cannot have, unless others might.
 fn check_outputs(study: &Study, file: &AnyFile, table: &TableReader<'_>) -> Result<(), Error> {
     let varies = |tables: &[&str]| {
         study.variables.iter().any(|v| tables.iter().any(|t| v.key.starts_with(t)))

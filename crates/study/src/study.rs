@@ -17,6 +17,8 @@ use crate::{Design, Input, Output, Variable, Variation, read};
 const PROFILES: [&str; 2] = ["punch.profile.csv", "dimensionless.profile.csv"];
 /// An override of a study, for messages.
 const OVERRIDE: &str = "study.count=100";
+/// Cases after the first that are read, beside the last, to see whether it alone cannot be.
+const MOST_READ: usize = 64;
 
 /// A problem file with some of its values varied.
 #[derive(Debug, Clone)]
@@ -142,12 +144,12 @@ impl Study {
     /// # Errors
     /// As [`AnyFile::from_document`].
     pub fn measured_profiles(&self) -> Result<Vec<PathBuf>, Error> {
-        let of_case = |inputs: &[Input]| -> Result<Option<PathBuf>, Error> {
-            let AnyFile::Problem(file) = self.file(inputs)? else { return Ok(None) };
-            Ok(file.measured_profile().map(Path::to_owned))
+        let measured = |file: AnyFile| match file {
+            AnyFile::Problem(file) => file.measured_profile().map(Path::to_owned),
+            AnyFile::Equation(_) => None,
         };
         let first = self.inputs(0);
-        let mut found: Vec<PathBuf> = of_case(&first)?.into_iter().collect();
+        let mut found: Vec<PathBuf> = measured(self.first(&[])?).into_iter().collect();
         for (place, variable) in self.variables.iter().enumerate() {
             let Variation::Values(values) = &variable.variation else { continue };
             if !PROFILES.contains(&variable.key.as_str()) {
@@ -157,18 +159,24 @@ impl Study {
                 let mut inputs = first.clone();
                 inputs[place] = value.clone();
                 // What cannot be read is the reason of its cases.
-                found.extend(of_case(&inputs).ok().flatten().filter(|path| !found.contains(path)));
+                let path = self.file(&inputs).ok().and_then(measured);
+                found.extend(path.filter(|path| !found.contains(path)));
             }
         }
         Ok(found)
     }
 
-    /// The problem of the first case, with overrides `KEY=VALUE` that are no part of the study, such as the units in which results are shown.
+    /// The problem of the first case that can be read, with overrides `KEY=VALUE` that are no part of the study, such as the units in which results are shown: one whose load tips the punch over has no
+    /// answer, and says so by itself.
     ///
     /// # Errors
-    /// As [`AnyFile::from_document`].
+    /// As [`AnyFile::from_document`], of the first case, where none of some others can be read.
     pub fn first(&self, overrides: &[String]) -> Result<AnyFile, Error> {
-        self.case_file(0, overrides)
+        let last = self.cases().saturating_sub(1);
+        let mut others = (1..last.min(MOST_READ)).chain([last]);
+        self.case_file(0, overrides).or_else(|error| {
+            others.find_map(|case| self.case_file(case, overrides).ok()).ok_or(error)
+        })
     }
 
     /// The problem of a case, with such overrides.

@@ -24,6 +24,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
         ),
         None => match problem_file::read_any(&arguments.problem)? {
             AnyFile::Problem(file) => {
+                file.problem().check().map_err(|error| file.locate(error))?;
                 problem_file::check_input(&file, &arguments.sense, false)?;
                 problem(file.problem())
             }

@@ -42,6 +42,25 @@ pub enum InverseError {
         dimension: Dimension,
     },
 
+    /// The value of the unknown lies beyond the last that can be solved.
+    #[error("the {unknown} for a {quantity} of {} lies where the problem cannot be solved: the last that can be is {at:e}, with a {quantity} of {}, and beyond it {reason}", engineering(*wanted, *dimension), engineering(*value, *dimension))]
+    NotSolved {
+        /// What was looked for.
+        unknown: &'static str,
+        /// What was to be reached.
+        quantity: &'static str,
+        /// The value wanted.
+        wanted: f64,
+        /// The last value of the unknown that can be solved.
+        at: f64,
+        /// What that gives.
+        value: f64,
+        /// What the values measure.
+        dimension: Dimension,
+        /// Why the next one is refused.
+        reason: String,
+    },
+
     /// Every crown exceeds the limit.
     #[error("no crown keeps the peak pressure at {} or below: the lowest is {}, {}", engineering(*limit, *dimension), engineering(*least, *dimension), best_base(*radius, *dimension))]
     LimitTooLow {

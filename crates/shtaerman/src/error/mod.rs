@@ -486,7 +486,7 @@ impl Error {
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
                 | Self::Beyond(_)
-                | Self::Inverse(InverseError::Unsolved { .. })
+                | Self::Inverse(InverseError::Unsolved { .. } | InverseError::NotSolved { .. })
                 | Self::Equation(
                     fredholm::Error::TooLarge { .. }
                         | fredholm::Error::BeyondMethod { .. }

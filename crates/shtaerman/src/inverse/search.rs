@@ -9,6 +9,8 @@ use crate::{Contact, ContactKind, Error, Law, PressureCurve, Problem};
 /// Relative distance from the wanted value that counts as reached, and that which is rounding.
 const REACHED: f64 = 1e-7;
 const ROUNDING: f64 = 1e-13;
+/// Halvings of a step of a decade whose end cannot be solved: a sixth more of the unknown is the least.
+const SHORTENED: i32 = 4;
 /// The least pressure, as a share of the mean, that is as good as none: some hundred roundings of a pressure.
 const LEAST: f64 = 1e-11;
 /// Share of the values at the ends of the first bracket that counts as their size.
@@ -74,18 +76,22 @@ impl Search<'_> {
     /// The value nearest to the start, decade by decade in both directions; the goal need not be monotone.
     pub(super) fn run(&self, range: Range) -> Result<Found, Error> {
         let mut trials = vec![self.trial(range.start.ln())?];
-        let decade = std::f64::consts::LN_10;
         let ends = range.ends.map(f64::ln);
         // Towards the lower end and towards the upper one, until there or until nothing more can be solved.
         let mut frontiers = [Some(trials[0].clone()), Some(trials[0].clone())];
+        let mut unsolved = Vec::new();
         while frontiers.iter().any(Option::is_some) {
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let Some(before) = frontiers[side].take() else { continue };
-                let next = (before.at + sign * decade).clamp(ends[0], ends[1]);
-                if next == before.at {
+            for side in [0, 1] {
+                let Some(before) = frontiers[side].take().filter(|one| one.at != ends[side]) else {
                     continue;
-                }
-                let Ok(trial) = self.trial(next) else { continue };
+                };
+                let trial = match self.next(&before, ends[side]) {
+                    Ok(trial) => trial,
+                    Err(error) => {
+                        unsolved.extend(error.is_numerical().then_some((before, error)));
+                        continue;
+                    }
+                };
                 trials.push(trial.clone());
                 if let Some(bracket) = self.bracket(&before, &trial) {
                     return self.narrow(bracket, &[before, trial], trials.len());
@@ -93,7 +99,27 @@ impl Search<'_> {
                 frontiers[side] = Some(trial);
             }
         }
-        Err(self.no_such_value(&trials).into())
+        Err(self.no_such_value(&trials, &unsolved).into())
+    }
+
+    /// A decade nearer to an end, or as much less as can be solved.
+    fn next(&self, before: &Trial, end: f64) -> Result<Trial, Error> {
+        let decade = std::f64::consts::LN_10.copysign(end - before.at);
+        let step = |cut: i32| {
+            let at = before.at + decade * 0.5f64.powi(cut);
+            if (end - at) * decade < 0.0 { end } else { at }
+        };
+        let refused = match self.trial(step(0)) {
+            Err(error) if error.is_numerical() => error,
+            found => return found,
+        };
+        for cut in 1..=SHORTENED {
+            match self.trial(step(cut)) {
+                Err(error) if error.is_numerical() => {}
+                found => return found,
+            }
+        }
+        Err(refused)
     }
 
     fn trial(&self, at: f64) -> Result<Trial, Error> {
@@ -191,16 +217,29 @@ impl Search<'_> {
         matches!(self.goal, Goal::ContactWidth(_)) && !is_power && least_share(contact) > 0.0
     }
 
-    fn no_such_value(&self, trials: &[Trial]) -> InverseError {
-        let values = || trials.iter().map(|trial| trial.value);
-        InverseError::NoSuchValue {
-            unknown: self.unknown,
-            quantity: self.goal.name(),
-            wanted: self.goal.wanted(),
-            least: values().fold(f64::INFINITY, f64::min),
-            most: values().fold(f64::NEG_INFINITY, f64::max),
-            dimension: self.goal.dimension_in(trials[0].contact.problem()),
+    /// Why there is none: what is wanted lies beyond all that can be had, or beyond what can be solved, where the value that is nearest to it is the last of one side.
+    fn no_such_value(&self, trials: &[Trial], unsolved: &[(Trial, Error)]) -> InverseError {
+        let (unknown, quantity, wanted) = (self.unknown, self.goal.name(), self.goal.wanted());
+        let dimension = self.goal.dimension_in(trials[0].contact.problem());
+        let nearest =
+            trials.iter().map(|trial| distance(trial, wanted)).fold(f64::INFINITY, f64::min);
+        let last = unsolved.iter().find(|(last, _)| distance(last, wanted) <= nearest);
+        if let Some((last, refused)) = last {
+            let (at, value, reason) = (last.at.exp(), last.value, refused.to_string());
+            return InverseError::NotSolved {
+                unknown,
+                quantity,
+                wanted,
+                at,
+                value,
+                dimension,
+                reason,
+            };
         }
+        let values = || trials.iter().map(|trial| trial.value);
+        let least = values().fold(f64::INFINITY, f64::min);
+        let most = values().fold(f64::NEG_INFINITY, f64::max);
+        InverseError::NoSuchValue { unknown, quantity, wanted, least, most, dimension }
     }
 }
 

@@ -11,6 +11,8 @@ const DOUBLINGS: usize = 60;
 /// Steps of the root finder, and the relative width of the bracket that ends it.
 const STEPS: usize = 80;
 const SETTLED: f64 = 1e-11;
+/// A largest stress that is off by more than this share where the bracket ends jumps there.
+const JUMP: f64 = 1e-6;
 
 /// The load at first yield.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -117,6 +119,9 @@ impl Search<'_> {
                 (two, second) = (trial, excess);
             }
         }
+        // Where the largest stress jumps, as where an edge reaches a corner, it is the load above the jump that has it.
+        let above = if first > 0.0 { one } else { two };
+        let best = if self.excess(&best).abs() > JUMP { above } else { best };
         let Trial { factor, peak, load: [force, moment] } = best;
         Ok(FirstYield { criterion: self.criterion, force, moment, factor, place: peak })
     }

@@ -30,6 +30,10 @@ const MOST_REFINED: usize = 24;
 const EQUAL: f64 = 1e-12;
 /// A maximum as close to a corner, relative to the longest panel, and not above its limit, climbs towards that.
 const CLOSE: f64 = 1e-2;
+/// One that is as close as this is at the corner: what it has beyond the limit there is rounding of the place.
+const TOUCHING: f64 = 1e-13;
+/// The depth, relative to the longest panel, of the surface to rounding.
+const SHALLOW: f64 = 1e-12;
 /// The first step of a refinement, relative to the distance from the nearest end: a quarter of what the grid has there, as longer ones lead to another maximum.
 const SHORT: f64 = 0.03;
 /// Steps of each refinement.
@@ -64,8 +68,10 @@ impl StressField {
     pub fn peak(&self, criterion: Criterion) -> Peak {
         let corners = self.corner_peaks(criterion);
         let mut peaks = self.inner_peaks(criterion);
-        // What climbs into a corner is its limit.
-        peaks.retain(|peak| !corners.iter().any(|corner| self.is_limit(peak, corner)));
+        // What climbs to the surface is found there, and what climbs into a corner is its limit.
+        let longest = self.inner().iter().map(Panel::length).fold(0.0, f64::max);
+        peaks.retain(|peak| peak.depth > SHALLOW * longest);
+        peaks.retain(|peak| !corners.iter().any(|corner| is_limit(longest, peak, corner)));
         peaks.extend(self.surface_peaks(criterion));
         peaks.extend(corners);
         let zero = Peak { value: 0.0, x: 0.0, depth: 0.0, is_corner: false };
@@ -74,12 +80,6 @@ impl StressField {
         });
         let [length, stress] = self.units;
         Peak { value: best.value * stress, x: best.x * length, depth: best.depth * length, ..best }
-    }
-
-    fn is_limit(&self, peak: &Peak, corner: &Peak) -> bool {
-        let longest = self.inner().iter().map(Panel::length).fold(0.0, f64::max);
-        let close = (peak.x - corner.x).hypot(peak.depth) <= CLOSE * longest;
-        close && peak.value <= corner.value * (1.0 + EQUAL)
     }
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {
@@ -327,6 +327,12 @@ impl StressField {
             last.1[1] = first.1[1];
         }
     }
+}
+
+/// Whether a maximum is what the stress tends to at a corner, given the longest panel.
+fn is_limit(longest: f64, peak: &Peak, corner: &Peak) -> bool {
+    let apart = (peak.x - corner.x).hypot(peak.depth) / longest;
+    apart <= TOUCHING || apart <= CLOSE && peak.value <= corner.value * (1.0 + EQUAL)
 }
 
 /// Step of a grid that shows what the pressure of a panel does.

@@ -20,7 +20,6 @@ use crate::contact::rates::{Linearised, Rates};
 use crate::contact::resolutions::Trust;
 use crate::contact::search::{ALLOWED, unknown};
 use crate::contact::stiffness::Stiffness;
-use crate::error::require;
 use crate::solver::AIM;
 use crate::{Error, Rotational, Vertical};
 
@@ -148,9 +147,8 @@ pub(super) fn turned<F: Field>(
     stiffness: &mut Stiffness,
 ) -> Result<(Option<Tilted>, f64), Error> {
     let Some(kernel) = base.ground.turned_kernel()? else { return Ok((None, 0.0)) };
+    base.problem().require_one_harmonic()?;
     let (field, value) = base.problem().load().rotational.named();
-    let needed = "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure";
-    require(base.layer.is_linear() || value == 0.0, field, value, needed)?;
     let touches_all_over =
         matches!(&solved.nodes.zones[..], [zone] if zone.ends == [0.0, 1.0]) || base.is_bilateral;
     if !(touches_all_over && base.layer.is_linear()) {
