@@ -40,6 +40,55 @@ pub(crate) fn check(rows: &[Row]) {
     }
 }
 
+/// A wave, for the rows below.
+const WAVE: &str = r#"[foundation]
+young_modulus = "200 GPa"
+poisson_ratio = 0.3
+roughness = "1.2e-14 m/Pa"
+
+[punch]
+geometry = "periodic"
+period = "10 mm"
+profile = "1e-6*cos(2*pi*x/10e-3)"
+
+[load]
+force = "0.8 MN/m"
+tilt = 0
+"#;
+
+/// A disk on a layer with a power law.
+const DISK: &str = r#"[foundation]
+young_modulus = "200 GPa"
+poisson_ratio = 0.3
+roughness = { coefficient = 2e-10, exponent = 0.6 }
+
+[punch]
+geometry = "circular"
+radius = "5 mm"
+profile = "x^2/(2*20)"
+
+[load]
+force = "0.8 kN"
+tilt = 0
+"#;
+
+/// What a geometry does not know needs no solution to be told.
+#[test]
+fn geometries() {
+    let tilt = "tilt = 1e-6";
+    check(&[
+        (
+            WAVE,
+            "tilt = 0",
+            tilt,
+            "punch.toml:13: load.tilt",
+            "zero where the base fills the period",
+        ),
+        (DISK, "tilt = 0", tilt, "punch.toml:13: load.tilt", "mixes the harmonics"),
+        (DISK, "x^2", "x^3", "punch.toml", "even in x"),
+    ]);
+}
+
 #[test]
 fn keys() {
     check(&[

@@ -152,14 +152,17 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
 
 #[test]
 fn cases_without_an_answer_say_why_and_the_others_go_on() {
-    let study = STUDY.replace("{ from = \"0.2 MN/m\", to = \"1 MN/m\", count = 5 }", "[8e5, -1.0]");
-    let folder = folder(&study);
-    let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
-    assert!(text.contains("2 cases answered, 2 refused"), "{text}");
-    let refused: Vec<_> =
-        rows(&folder.path("out")).into_iter().filter(|row| row[3] == "NaN").collect();
-    assert_eq!(refused.len(), 2);
-    assert!(refused.iter().all(|row| row[1..].join(",").contains("force")), "{refused:?}");
+    // Whether it is the last case or the first.
+    for forces in ["[8e5, -1.0]", "[-1.0, 8e5]"] {
+        let range = "{ from = \"0.2 MN/m\", to = \"1 MN/m\", count = 5 }";
+        let folder = folder(&STUDY.replace(range, forces));
+        let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+        assert!(text.contains("2 cases answered, 2 refused"), "{text}");
+        let refused: Vec<_> =
+            rows(&folder.path("out")).into_iter().filter(|row| row[3] == "NaN").collect();
+        assert_eq!(refused.len(), 2);
+        assert!(refused.iter().all(|row| row[1..].join(",").contains("force")), "{refused:?}");
+    }
 }
 
 #[test]

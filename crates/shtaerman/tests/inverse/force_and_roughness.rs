@@ -199,3 +199,30 @@ fn the_whole_base_touches_from_where_the_least_pressure_is_zero() {
     let found = force(&bent.unwrap(), Goal::ContactWidth(1e-2)).unwrap();
     close(found.value, 66407.82503, 1e-9);
 }
+
+/// At ten times the load the zones come too close to a step; at twice the load, where the width is, they do not.
+#[test]
+fn what_cannot_be_solved_far_away_hides_nothing_nearby() {
+    let text = r#"
+        [foundation]
+        young_modulus = 9.0505e9
+        poisson_ratio = 0.121
+        roughness = 0
+        [punch]
+        half_width = 3.87e-3
+        profile = "2.029e-07*((x/0.00387)^2 + 0.182262*step(x-0.00211096))"
+        [load]
+        force = 32154
+        tilt = -6.663e-5
+    "#;
+    let problem = shtaerman::file::parse(text, "test").unwrap();
+    let wanted = 7.724_299_809_509_158e-3;
+    assert!(problem.with_load(load_of(321_540.0)).unwrap().solve().is_err());
+    let found = force(&problem, Goal::ContactWidth(wanted)).unwrap();
+    let contact = problem.with_load(load_of(found.value)).unwrap().solve().unwrap();
+    assert!((contact.contact_width() / wanted - 1.0).abs() < 1e-9, "{}", contact.contact_width());
+}
+
+fn load_of(force: f64) -> Load {
+    Load::new(Vertical::Force(force), Rotational::Tilt(-6.663e-5)).unwrap()
+}
