@@ -15,8 +15,8 @@ const FIRST: usize = 4;
 pub struct LoadCurve {
     /// Displacement and load, both growing: settlement since lift-off (m) and force (N/m, N of a disk), or rotation `-alpha` (rad) and moment (N m/m, N m).
     pub points: Vec<[f64; 2]>,
-    /// How far the middle of a straight line was from the displacement solved there, at most, as a share of the range of the displacement: an estimate of what the
-    /// lines are off by, on the safe side, as these middles are points of the curve.
+    /// How far the displacement solved at the middle of a straight line, or of two of them together, is from it, at most, as a share of the range of the displacement: an estimate of what the lines are off
+    /// by. Where other parts of the base come to touch between these places it may be more.
     pub deviation: f64,
     /// The largest relative error that an answer states of itself.
     pub relative_error: f64,
@@ -110,20 +110,27 @@ struct Tracer<F> {
     /// Displacement and relative error under a load.
     answer: F,
     relative_error: f64,
+    /// Points that were solved.
+    known: Vec<[f64; 2]>,
 }
 
 impl<F: FnMut(f64) -> Result<(f64, f64), Error>> Tracer<F> {
     fn new(share: f64, answer: F) -> Self {
-        Self { share, answer, relative_error: 0.0 }
+        Self { share, answer, relative_error: 0.0, known: Vec::new() }
     }
 
     fn point(&mut self, load: f64) -> Result<[f64; 2], Error> {
+        if let Some(known) = self.known.iter().rev().find(|known| known[1] == load) {
+            return Ok(*known);
+        }
         let (displacement, error) = (self.answer)(load)?;
         self.relative_error = self.relative_error.max(error);
+        self.known.push([displacement, load]);
         Ok([displacement, load])
     }
 
-    /// Adds the middles of intervals until they are on the straight lines within the share.
+    /// Adds the middles of intervals until they are on the straight lines within the share, and so are those of the halves that are left: one place alone may lie on the line by chance, where a new zone bends
+    /// the curve one way and the others bend it the other way.
     fn curve(
         &mut self,
         first: impl Iterator<Item = f64>,
@@ -144,8 +151,13 @@ impl<F: FnMut(f64) -> Result<(f64, f64), Error>> Tracer<F> {
                 return Err(Error::NoTable { reason });
             }
             let between = self.point(middle(last[1], next[1]))?;
-            let along = (between[1] - last[1]) / (next[1] - last[1]);
-            let off = (between[0] - last[0] - along * (next[0] - last[0])).abs() / range;
+            let mut off = off_line(last, between, next) / range;
+            for [from, to] in [[last, between], [between, next]] {
+                if off <= self.share {
+                    let quarter = self.point(middle(from[1], to[1]))?;
+                    off = off.max(off_line(from, quarter, to) / range);
+                }
+            }
             if off <= self.share {
                 deviation = deviation.max(off);
                 points.extend([between, next]);
@@ -159,4 +171,10 @@ impl<F: FnMut(f64) -> Result<(f64, f64), Error>> Tracer<F> {
         }
         Ok(LoadCurve { points, deviation, relative_error: self.relative_error })
     }
+}
+
+/// How far a point is from the straight line between two others, in displacement.
+fn off_line(from: [f64; 2], point: [f64; 2], to: [f64; 2]) -> f64 {
+    let along = (point[1] - from[1]) / (to[1] - from[1]);
+    (point[0] - from[0] - along * (to[0] - from[0])).abs()
 }
