@@ -63,7 +63,6 @@ mod roughness;
 mod rounding;
 mod scaling;
 mod sensitivity;
-mod solvable;
 pub mod solver;
 pub mod stress;
 mod sweep;

@@ -360,6 +360,22 @@ impl Problem {
         require(scaled > 0.0, "force", force, requirement).map(|_| ())
     }
 
+    /// Refuses a tilt and a moment of a base that fills its period.
+    pub(crate) fn require_no_turn(&self) -> Result<(), Error> {
+        let (field, value) = self.load.rotational.named();
+        let requirement = "zero where the base fills the period: a wave cannot tilt, and a moment does not repeat";
+        require(value == 0.0, field, value, requirement).map(|_| ())
+    }
+
+    /// Refuses a tilt and a moment of a disk whose pressure would have more than the harmonics 0 and 1 of the angle.
+    pub(crate) fn require_one_harmonic(&self) -> Result<(), Error> {
+        let exponent = self.bodies.law().exponent();
+        let is_mixed = exponent.is_some_and(|exponent| exponent != 1.0);
+        let (field, value) = self.load.rotational.named();
+        let requirement = "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure";
+        require(!is_mixed || value == 0.0, field, value, requirement).map(|_| ())
+    }
+
     fn check_profile(&self) -> Result<(), Error> {
         if let Some((xi, defect)) = self.profile().find_not_finite(self.bodies.half_width()) {
             return Err(self.profile_not_finite(xi, defect));

@@ -56,7 +56,6 @@ pub(crate) use ground::layered_plane;
 pub use method::{Method, MethodName};
 pub use quantities::Errors;
 pub(crate) use rates::{Linearised, Rates};
-pub(crate) use revolution::require_even;
 pub use solved::Contact;
 pub use stiffness::Stiffness;
 pub use unaudited::Unaudited;

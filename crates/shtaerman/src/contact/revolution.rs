@@ -7,7 +7,7 @@ use crate::warning::Warning;
 use crate::{Error, Problem, WarningCode};
 
 /// Refuses the base of a circular punch that is no body of revolution.
-pub(crate) fn require_even(problem: &Problem) -> Result<(), Error> {
+pub(super) fn require_even(problem: &Problem) -> Result<(), Error> {
     let unevenness = problem.profile().unevenness(problem.bodies().half_width(), STAGNANT);
     require(
         unevenness.found <= unevenness.negligible,

@@ -7,6 +7,7 @@ use super::Contact;
 use super::balance::State;
 use super::method::MethodName;
 use super::promise::{Reached, require_explained};
+use super::revolution::require_even;
 use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
@@ -17,6 +18,34 @@ use crate::warning::Warning;
 use crate::{Error, Problem, Scaling};
 
 impl Problem {
+    /// Refuses what [`Problem::solve`] refuses whatever the contact would be: a circular base that is no body of revolution, a tilt or a moment of a base that fills its period, or of a disk whose rough
+    /// layer has a power law. Whether the punch touches anywhere, and whether a method finds its contact, only a solution tells.
+    ///
+    /// ```
+    /// use shtaerman::file;
+    ///
+    /// let wave = |tilt: f64| {
+    ///     let text = format!("[dimensionless]\ntheta0 = 2\ngeometry = \"periodic\"\nperiod = 2\nprofile = \"cos(pi*xi)\"\nforce = 1\ntilt = {tilt}\n");
+    ///     file::parse(&text, "wave.toml")
+    /// };
+    /// assert!(wave(0.0)?.check().is_ok());
+    /// assert!(wave(0.1)?.check().is_err());
+    /// # Ok::<(), shtaerman::file::FileError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for these, and [`Error::TipsOver`] and the like for a load that no pressure balances.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.is_circular() {
+            require_even(self)?;
+            return self.require_one_harmonic();
+        }
+        if self.is_wave() {
+            self.require_no_turn()?;
+        }
+        self.check_balance()
+    }
+
     /// Solves the problem: zones of contact and pressure of a unilateral one, or the pressure on the full base by the method of the
     /// [`Solver`](crate::Solver), or by the one that suits it.
     ///
