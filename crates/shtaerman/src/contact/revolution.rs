@@ -13,7 +13,7 @@ pub(super) fn require_even(problem: &Problem) -> Result<(), Error> {
         unevenness.found <= unevenness.negligible,
         "profile",
         unevenness.found,
-        "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis",
+        "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis; the number is what its halves differ by",
     )?;
     Ok(())
 }

@@ -30,7 +30,7 @@ impl Problem {
     /// };
     /// assert!(wave(0.0)?.check().is_ok());
     /// assert!(wave(0.1)?.check().is_err());
-    /// # Ok::<(), shtaerman::file::FileError>(())
+    /// # Ok::<(), shtaerman::Error>(())
     /// ```
     ///
     /// # Errors
