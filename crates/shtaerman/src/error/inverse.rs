@@ -7,7 +7,7 @@ use crate::quantity::{Dimension, engineering};
 #[non_exhaustive]
 pub enum InverseError {
     /// No value of the unknown gives what is wanted.
-    #[error("no {unknown} gives a {quantity} of {}: {}", engineering(*wanted, *dimension), attainable(quantity, unknown, [*least, *most], *dimension))]
+    #[error("{}", no_such_value(unknown, quantity, *wanted, [*least, *most], *dimension))]
     NoSuchValue {
         /// What was looked for.
         unknown: &'static str,
@@ -99,12 +99,27 @@ pub enum InverseError {
     Unsuited(&'static str),
 }
 
-fn attainable(quantity: &str, unknown: &str, [least, most]: [f64; 2], unit: Dimension) -> String {
+fn no_such_value(
+    unknown: &str,
+    quantity: &str,
+    wanted: f64,
+    [least, most]: [f64; 2],
+    unit: Dimension,
+) -> String {
     let shown = |value| engineering(value, unit);
-    if least == most || most - least <= 1e-12 * most.abs() {
-        return format!("the {quantity} is {} whatever the {unknown}", shown(least));
+    let is_one = least == most || most - least <= 1e-12 * most.abs();
+    if is_one && (wanted - least).abs() <= 1e-12 * wanted.abs() {
+        return format!(
+            "a {quantity} of {} tells no {unknown}: it is that whatever the {unknown}",
+            shown(wanted)
+        );
     }
-    format!("it can be from {} to {}", shown(least), shown(most))
+    let attainable = if is_one {
+        format!("the {quantity} is {} whatever the {unknown}", shown(least))
+    } else {
+        format!("it can be from {} to {}", shown(least), shown(most))
+    };
+    format!("no {unknown} gives a {quantity} of {}: {attainable}", shown(wanted))
 }
 
 fn best_base(radius: Option<f64>, unit: Dimension) -> String {

@@ -7,6 +7,8 @@ use crate::{Datum, Error, Problem, Rotational, Vertical};
 
 /// Most points of a curve: where so many do not suffice, it has a kink or a jump.
 const MOST_POINTS: usize = 1000;
+/// What a line is off by at least, as a share of the range: its ends are written with 14 digits.
+const DIGITS: f64 = 1e-13;
 /// Intervals to begin with.
 const FIRST: usize = 4;
 
@@ -169,7 +171,11 @@ impl<F: FnMut(f64) -> Result<(f64, f64), Error>> Tracer<F> {
         if points.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
             return Err(Error::NoTable { reason: turns });
         }
-        Ok(LoadCurve { points, deviation, relative_error: self.relative_error })
+        Ok(LoadCurve {
+            points,
+            deviation: deviation.max(DIGITS),
+            relative_error: self.relative_error,
+        })
     }
 }
 

@@ -11,6 +11,8 @@ const DOUBLINGS: usize = 60;
 /// Steps of the root finder, and the relative width of the bracket that ends it.
 const STEPS: usize = 80;
 const SETTLED: f64 = 1e-11;
+/// A stress whose error is more than this share of the yield stress does not tell whether that is reached.
+const UNKNOWN: f64 = 1e-3;
 /// A largest stress that is off by more than this share where the bracket ends jumps there.
 const JUMP: f64 = 1e-6;
 
@@ -49,7 +51,7 @@ impl Problem {
         let (force, moment) = (contact.force(), contact.moment());
         let search =
             Search { problem: self, criterion, yield_stress, poisson_ratio, force, moment };
-        search.run(field.peak(criterion))
+        search.run(field.peak(criterion), field.error())
     }
 }
 
@@ -67,12 +69,14 @@ struct Search<'p> {
 struct Trial {
     factor: f64,
     peak: Peak,
+    /// Of a stress.
+    error: f64,
     load: [f64; 2],
 }
 
 impl Search<'_> {
-    fn run(&self, peak: Peak) -> Result<FirstYield, Error> {
-        let given = Trial { factor: 1.0, peak, load: [self.force, self.moment] };
+    fn run(&self, peak: Peak, error: f64) -> Result<FirstYield, Error> {
+        let given = Trial { factor: 1.0, peak, error, load: [self.force, self.moment] };
         if !peak.value.is_finite() || self.force == 0.0 {
             return Err(self.none(peak.value));
         }
@@ -80,6 +84,10 @@ impl Search<'_> {
         let mut one = given;
         for _ in 0..DOUBLINGS {
             let next = self.trial(one.factor * if above { 0.5 } else { 2.0 })?;
+            // Where more load is a uniform pressure, which a body without volume change does not feel, rounding of the pressure would yield at last.
+            if next.error > UNKNOWN * self.yield_stress {
+                break;
+            }
             let two = std::mem::replace(&mut one, next);
             if (self.excess(&one) > 0.0) != above {
                 return self.root(one, two);
@@ -122,7 +130,7 @@ impl Search<'_> {
         // Where the largest stress jumps, as where an edge reaches a corner, it is the load above the jump that has it.
         let above = if first > 0.0 { one } else { two };
         let best = if self.excess(&best).abs() > JUMP { above } else { best };
-        let Trial { factor, peak, load: [force, moment] } = best;
+        let Trial { factor, peak, load: [force, moment], .. } = best;
         Ok(FirstYield { criterion: self.criterion, force, moment, factor, place: peak })
     }
 
@@ -135,7 +143,7 @@ impl Search<'_> {
         let contact = self.problem.with_load(load)?.solve()?;
         let field = StressField::new(&contact, self.poisson_ratio)?;
         let load = [contact.force(), contact.moment()];
-        Ok(Trial { factor, peak: field.peak(self.criterion), load })
+        Ok(Trial { factor, peak: field.peak(self.criterion), error: field.error(), load })
     }
 
     /// `ln(stress/yield stress)`: close to a straight line over the logarithm of the load.

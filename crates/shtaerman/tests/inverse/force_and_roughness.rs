@@ -226,3 +226,10 @@ fn what_cannot_be_solved_far_away_hides_nothing_nearby() {
 fn load_of(force: f64) -> Load {
     Load::new(Vertical::Force(force), Rotational::Tilt(-6.663e-5)).unwrap()
 }
+
+#[test]
+fn what_is_had_anyway_tells_nothing() {
+    let flat = physical(200e9, 1e-14, 5e-3, "0", load(1e6, 0.0));
+    let error = roughness(&flat, Goal::ContactWidth(10e-3)).unwrap_err().to_string();
+    assert!(error.starts_with("a contact width of 10 mm tells no roughness"), "{error}");
+}

@@ -318,3 +318,16 @@ fn yield_at_a_jump_begins_where_the_stress_is_beyond_it() {
     let before = StressField::new(&contact, None).unwrap().peak(Criterion::VonMises);
     assert!(before.value < 4514.9, "{before:?}");
 }
+
+/// A filled wave under a body without volume change feels no more load than fills it: no load brings more stress, and rounding of a pressure of 1e18 Pa is none.
+#[test]
+fn what_feels_no_load_does_not_yield() {
+    let text = "[foundation]\nyoung_modulus = 1e7\npoisson_ratio = 0.5\nroughness = 1e-10\n[punch]\ngeometry = \"periodic\"\nperiod = 2e-3\n\
+                profile = \"1e-6*cos(2*pi*x/0.002)\"\n[load]\nforce = 1e3\ntilt = 0\n";
+    let problem = file::parse(text, "test").unwrap();
+    for criterion in [Criterion::VonMises, Criterion::Tresca] {
+        let refused = problem.first_yield(criterion, 1e5, None).unwrap_err();
+        let Error::NoYield { nearest, .. } = refused else { panic!("{refused}") };
+        assert!((3e3..6e3).contains(&nearest), "{nearest}");
+    }
+}
