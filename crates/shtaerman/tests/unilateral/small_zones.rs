@@ -1,7 +1,7 @@
 //! Zones so small, and so far from the middle, that heights of the base differ in their last digits only.
 
 use shtaerman::{
-    Contact, Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical,
+    Contact, Elastic, Error, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical, file,
 };
 
 const RADIUS: f64 = 0.5;
@@ -52,4 +52,13 @@ fn the_width_of_a_small_zone_far_from_the_middle_grows_as_its_differences_say() 
         let found = rates.force.unwrap();
         assert!((found / rate - 1.0).abs() < 1e-5, "{force}: {found:e} {rate:e}");
     }
+}
+
+/// A zone of 1e-7 half-widths about a kink: a tenth of its shortest panel is what places are rounded to, and cutting panels makes them no shorter. Found by random problems, where it had no end.
+#[test]
+fn panels_as_short_as_places_are_rounded_come_to_an_end() {
+    let text = "[dimensionless]\ntheta0 = 3.9867691219696694e-1\ngeometry = \"pair\"\ninner_half_gap = 0.2\nprofile = \"3.771134996260252e1*(abs(xi - 0.323))\"\n\
+                force = 2.7775500955536497e-14\ntilt = 0\n[solver]\ntolerance = 6.975573809573374e-11\n";
+    let refused = file::parse(text, "test").unwrap().solve().unwrap_err();
+    assert!(matches!(refused, Error::ToleranceNotMet { .. }), "{refused}");
 }

@@ -394,12 +394,15 @@ pub(super) fn cut(
 ) -> Result<(PanelKernel, Frame, Panels), Error> {
     let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
     let frame = Frame::new(base, Hull { centre: base.surface.origin, half }, 0.0);
+    let mut before = f64::INFINITY;
     loop {
         let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
         let longest = bounds.iter().map(|[left, right]| right - left).fold(0.0, f64::max);
         let local = |xi: f64| frame.local(xi).clamp(-1.0, 1.0);
         let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
-        if bounds.iter().any(|[left, right]| left >= right) {
+        // Where places are rounded to the length of a panel cutting makes none shorter.
+        let is_cut = std::mem::replace(&mut before, longest) > longest;
+        if !is_cut || bounds.iter().any(|[left, right]| left >= right) {
             return Err(unknown());
         }
         let is_disk = base.ground.is_disk();
