@@ -54,7 +54,7 @@ fn the_width_of_a_small_zone_far_from_the_middle_grows_as_its_differences_say() 
     }
 }
 
-/// A zone of 1e-7 half-widths about a kink: a tenth of its shortest panel is what places are rounded to, and cutting panels makes them no shorter. Found by random problems, where it had no end.
+/// A tiny zone about a kink: some of its panels are a few roundings of a place long, and cutting makes them no shorter. Found by random problems, where it had no end.
 #[test]
 fn panels_as_short_as_places_are_rounded_come_to_an_end() {
     let text = "[dimensionless]\ntheta0 = 3.9867691219696694e-1\ngeometry = \"pair\"\ninner_half_gap = 0.2\nprofile = \"3.771134996260252e1*(abs(xi - 0.323))\"\n\
