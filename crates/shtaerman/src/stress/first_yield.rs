@@ -11,7 +11,7 @@ const DOUBLINGS: usize = 60;
 /// Steps of the root finder, and the relative width of the bracket that ends it.
 const STEPS: usize = 80;
 const SETTLED: f64 = 1e-11;
-/// A stress whose error is more than this share of the yield stress does not tell whether that is reached.
+/// A stress that does not grow with the load any more, and whose error is more than this share of the yield stress, does not reach that.
 const UNKNOWN: f64 = 1e-3;
 /// A largest stress that is off by more than this share where the bracket ends jumps there.
 const JUMP: f64 = 1e-6;
@@ -84,8 +84,9 @@ impl Search<'_> {
         let mut one = given;
         for _ in 0..DOUBLINGS {
             let next = self.trial(one.factor * if above { 0.5 } else { 2.0 })?;
-            // Where more load is a uniform pressure, which a body without volume change does not feel, rounding of the pressure would yield at last.
-            if next.error > UNKNOWN * self.yield_stress {
+            // Where more load is a uniform pressure, which a body without volume change does not feel, the stress stays as it is, and rounding of the pressure would yield at last.
+            let stays = (next.peak.value - one.peak.value).abs() <= next.error;
+            if !above && stays && next.error > UNKNOWN * self.yield_stress {
                 break;
             }
             let two = std::mem::replace(&mut one, next);
