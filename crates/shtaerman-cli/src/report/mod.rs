@@ -33,7 +33,8 @@ pub(crate) use shaped::ShapedReport;
 pub(crate) use sheet::{Entry, Sheet};
 pub(crate) use shown::Shown;
 pub(crate) use stress::{
-    StressReport, Stresses, YieldReport, infinite_at, stress_csv, stress_npz, stress_table,
+    StressReport, Stresses, YieldReport, infinite_at, no_yield, stress_csv, stress_npz,
+    stress_table,
 };
 pub(crate) use study_units::{Scaled, StudyUnits};
 pub(crate) use sweep::{

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use shtaerman::quantity::Measure;
-use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField, Warning};
+use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField, Warning, WarningCode};
 
 use super::{Shown, Table, Told, significant};
 use crate::arguments::StressComponent;
@@ -147,6 +147,7 @@ struct Maxima {
 pub(crate) struct YieldReport {
     criterion: Criterion,
     force: f64,
+    error: f64,
     moment: f64,
     factor: f64,
     x: f64,
@@ -156,9 +157,9 @@ pub(crate) struct YieldReport {
 
 impl From<FirstYield> for YieldReport {
     fn from(first: FirstYield) -> Self {
-        let FirstYield { criterion, force, moment, factor, place } = first;
+        let FirstYield { criterion, force, error, moment, factor, place } = first;
         let Peak { x, depth, is_corner, .. } = place;
-        Self { criterion, force, moment, factor, x, y: depth, is_corner }
+        Self { criterion, force, error, moment, factor, x, y: depth, is_corner }
     }
 }
 
@@ -220,11 +221,11 @@ impl<'a> StressReport<'a> {
     }
 
     /// Adds what was found for a yield stress, or why nothing was.
-    pub(crate) fn set_yield(&mut self, stress: f64, found: Result<Vec<YieldReport>, Warning>) {
+    pub(crate) fn set_yield(&mut self, stress: f64, found: Result<Vec<YieldReport>, String>) {
         self.yield_stress = Some(stress);
         match found {
             Ok(loads) => self.first_yield = Some(loads),
-            Err(warning) => self.warnings.push(warning),
+            Err(message) => self.warnings.push(Warning { code: WarningCode::NoYield, message }),
         }
     }
 
@@ -241,6 +242,16 @@ impl<'a> StressReport<'a> {
     fn shown(&self, value: f64, measure: Measure) -> String {
         if value.is_finite() { self.shown.value(value, measure) } else { "infinite".to_owned() }
     }
+}
+
+/// That no load has a yield stress as its largest equivalent stress.
+pub(crate) fn no_yield(yield_stress: f64, nearest: f64, shown: &Shown) -> String {
+    format!(
+        "no load brings the largest equivalent stress to the yield stress, {}: the nearest is {}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force",
+        shown.value(yield_stress, Measure::Pressure),
+        shown.value(nearest, Measure::Pressure)
+    )
 }
 
 /// The maxima, and the load at first yield, for people.
@@ -300,10 +311,17 @@ pub(crate) fn stress_table(
     if let (Some(limit), Some(loads)) = (report.yield_stress, &report.first_yield) {
         let _ = writeln!(
             text,
-            "\nfirst yield at {}, force and moment scaled together:\n",
+            "\nfirst yield at {}, force and moment scaled together (error: estimate):\n",
             stress(limit)
         );
-        let mut table = Table::new(&["criterion", "force", "moment", "times the load", "where"]);
+        let mut table = Table::new(&[
+            "criterion",
+            "force",
+            "off by at most",
+            "moment",
+            "times the load",
+            "where",
+        ]);
         for load in loads {
             let peak = PeakReport { value: 0.0, x: load.x, y: load.y, is_corner: load.is_corner };
             let criterion = match load.criterion {
@@ -313,6 +331,7 @@ pub(crate) fn stress_table(
             table.row(vec![
                 criterion.to_owned(),
                 report.shown(load.force, Measure::ForcePerLength),
+                report.shown.few_digits(load.error, Measure::ForcePerLength),
                 report.shown(load.moment, Measure::MomentPerLength),
                 significant(load.factor, 6),
                 place(&peak, &length),

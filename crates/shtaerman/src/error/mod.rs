@@ -292,8 +292,8 @@ pub enum Error {
 
     /// No load has the yield stress as its largest equivalent stress.
     #[error(
-        "no load brings the largest equivalent stress to the yield stress {}: the nearest is {}; a corner with infinite pressure yields at once, \
-         a profile that is forced into contact may yield without any force", plain(*yield_stress), plain(*nearest)
+        "no load brings the largest equivalent stress to the yield stress {}: the nearest is about {}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force", plain(*yield_stress), plain(words::about(*nearest))
     )]
     NoYield {
         /// The yield stress.

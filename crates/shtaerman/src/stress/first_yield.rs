@@ -15,6 +15,9 @@ const SETTLED: f64 = 1e-11;
 const UNKNOWN: f64 = 1e-3;
 /// A largest stress that is off by more than this share where the bracket ends jumps there.
 const JUMP: f64 = 1e-6;
+/// A load whose largest stress is certain is first looked for at this many times the share that the stress is off by, then at this many times as far, up to that share of the load.
+const FARTHER: f64 = 4.0;
+const FARTHEST: f64 = 0.5;
 
 /// The load at first yield.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -23,6 +26,9 @@ pub struct FirstYield {
     pub criterion: Criterion,
     /// Force per unit length, in the units of the problem.
     pub force: f64,
+    /// How far that force may be off at most, an estimate: with so much more the largest stress is above the yield stress, with so much less below it, by more than is
+    /// stated of the stresses under these two loads ([`StressField::error`]).
+    pub error: f64,
     /// Moment per unit length.
     pub moment: f64,
     /// That force over the force of the problem.
@@ -37,7 +43,7 @@ impl Problem {
     /// that belongs to it is scaled.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] unless `yield_stress` is positive; [`Error::NoYield`] when no load has that largest stress; those of [`Problem::solve`] and [`StressField::new`].
+    /// [`Error::InvalidValue`] unless `yield_stress` is positive; [`Error::NoYield`] when no load has that largest stress, or none is known to; those of [`Problem::solve`] and [`StressField::new`].
     pub fn first_yield(
         &self,
         criterion: Criterion,
@@ -131,8 +137,23 @@ impl Search<'_> {
         // Where the largest stress jumps, as where an edge reaches a corner, it is the load above the jump that has it.
         let above = if first > 0.0 { one } else { two };
         let best = if self.excess(&best).abs() > JUMP { above } else { best };
+        let error = self.distance(&best, 1.0)?.max(self.distance(&best, -1.0)?);
         let Trial { factor, peak, load: [force, moment], .. } = best;
-        Ok(FirstYield { criterion: self.criterion, force, moment, factor, place: peak })
+        Ok(FirstYield { criterion: self.criterion, force, error, moment, factor, place: peak })
+    }
+
+    /// How far from the force of a trial one is, more of it or less, whose largest stress is certainly on the same side of the yield stress.
+    fn distance(&self, best: &Trial, side: f64) -> Result<f64, Error> {
+        let mut share = FARTHER * (best.error / self.yield_stress).max(SETTLED);
+        // What is not a number ends the search as well.
+        while share <= FARTHEST {
+            let beyond = self.trial(best.factor * (1.0 + side * share))?;
+            if side * (beyond.peak.value - self.yield_stress) > beyond.error {
+                return Ok((beyond.load[0] - best.load[0]).abs());
+            }
+            share *= FARTHER;
+        }
+        Err(self.none(best.peak.value))
     }
 
     fn trial(&self, factor: f64) -> Result<Trial, Error> {

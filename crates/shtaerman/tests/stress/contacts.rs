@@ -122,6 +122,31 @@ fn the_load_at_first_yield_has_the_yield_stress() {
     }
 }
 
+/// Hertz: on the axis the shear stress is `p0 (b - b^2/sqrt(1 + b^2))` at the depth `b a`, and `P = pi R p0^2/E*`.
+#[test]
+fn the_error_of_the_load_at_first_yield_holds() {
+    let steel = Elastic::new(210e9, 0.3).unwrap();
+    let shear = |b: f64| b - b * b / (1.0 + b * b).sqrt();
+    // The largest, by golden sections.
+    let (mut left, mut right) = (0.7, 0.9);
+    while right - left > 1e-9 {
+        let part = 0.381_966 * (right - left);
+        let is_left = shear(left + part) > shear(right - part);
+        (left, right) = if is_left { (left, right - part) } else { (left + part, right) };
+    }
+    for (radius, stress) in [(0.1, 350e6), (0.03, 1e8), (2.0, 777e6)] {
+        let punch = Punch::new(0.05).unwrap();
+        let profile = Profile::expression(&format!("x^2/(2*{radius})")).unwrap();
+        let load = Load::new(Vertical::Force(1e4), Rotational::Moment(0.0)).unwrap();
+        let problem = Problem::new(Foundation::new(steel), punch.with_profile(profile), load);
+        let found = problem.unwrap().first_yield(Criterion::Tresca, stress, None).unwrap();
+        let largest = stress / (2.0 * shear(left));
+        let exact = PI * radius * largest.powi(2) / steel.plane_strain_modulus();
+        let off = (found.force - exact).abs();
+        assert!(off <= found.error && found.error < 1e-8 * exact, "{exact} {found:?}");
+    }
+}
+
 /// A profile that is forced flat stresses the body without any force.
 #[test]
 fn there_may_be_no_load_at_yield() {
@@ -313,6 +338,11 @@ fn yield_at_a_jump_begins_where_the_stress_is_beyond_it() {
     let problem = file::parse(text, "test").unwrap();
     let found = problem.first_yield(Criterion::VonMises, 4514.9, None).unwrap();
     assert!(found.place.is_corner && found.place.x.abs() == 0.000684, "{found:?}");
+    // Where the edge is at the corner the pressure there vanishes: `P = E*/2 int x f'(x)/sqrt(a^2 - x^2) dx`.
+    let modulus = 3_220_600.0 / (1.0 - 0.336f64.powi(2));
+    let exact = 0.5 * modulus * 9.125e-7 * PI * (1.5 - 0.98226);
+    let off = (found.force - exact).abs();
+    assert!(off <= found.error && found.error < 1e-9 * exact, "{exact} {found:?}");
     let below = Load::new(Vertical::Force(0.999 * found.force), Rotational::Tilt(0.0)).unwrap();
     let contact = problem.with_load(below).unwrap().solve().unwrap();
     let before = StressField::new(&contact, None).unwrap().peak(Criterion::VonMises);

@@ -9,8 +9,8 @@ use super::asked::{self, Asked};
 use super::contact::{self, Kept, Solution};
 use crate::Failure;
 use crate::arguments::StressComponent;
-use crate::commands::stress::{self, Section};
-use crate::report::{self, Shown, YieldReport};
+use crate::commands::stress::{self, Section, loads_at_yield};
+use crate::report::{self, Shown};
 
 /// The error of stresses that serves while something moves, as a share of the mean pressure.
 const WHILE_MOVING: f64 = 1e-2;
@@ -175,15 +175,10 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
 
 /// The loads at first yield, or why there are none.
 fn first_yield(solution: &Solution, limit: f64, ratio: f64) -> Result<Value, Failure> {
-    let mut loads = Vec::new();
-    for criterion in [Criterion::VonMises, Criterion::Tresca] {
-        match solution.file.problem().first_yield(criterion, limit, Some(ratio)) {
-            Ok(load) => loads.push(YieldReport::from(load)),
-            Err(error @ Error::NoYield { .. }) => return Ok(json!({ "none": error.to_string() })),
-            Err(error) => return Err(solution.file.locate(error).into()),
-        }
-    }
-    let loads = serde_json::to_value(&loads).map_err(asked::unwritable)?;
+    let loads = match loads_at_yield(&solution.file, limit, ratio)? {
+        Ok(loads) => serde_json::to_value(&loads).map_err(asked::unwritable)?,
+        Err(none) => return Ok(json!({ "none": none })),
+    };
     Ok(json!({ "yield_stress": limit, "loads": loads }))
 }
 

@@ -54,7 +54,14 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let doubts = problem_file::refuse(&arguments.sense, doubts)?;
     report.add_warnings(&doubts);
     if let Some((stress, is_asked)) = limit {
-        report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
+        // That there is none is an error where they were asked for, else a warning.
+        match loads_at_yield(&file, stress, ratio)? {
+            Err(message) if is_asked => {
+                let name = problem_file::name(&arguments.problem.file);
+                return Err(Failure::Usage(format!("{name}: {message}")));
+            }
+            found => report.set_yield(stress, found),
+        }
     }
     let places = places.map(|places| stresses_at(&field, places)).transpose()?;
     let wants_grid = arguments.grid.is_some() || arguments.format != StressFormat::Json;
@@ -210,20 +217,19 @@ fn doubts(
     doubts
 }
 
-/// The loads at first yield; that there is none is an error where they were asked for, else a warning.
-fn loads_at_yield(
+/// The loads at first yield, or why there are none.
+pub(super) fn loads_at_yield(
     file: &ProblemFile,
     stress: f64,
     ratio: f64,
-    is_asked: bool,
-) -> Result<Result<Vec<YieldReport>, Warning>, Failure> {
+) -> Result<Result<Vec<YieldReport>, String>, Failure> {
+    let shown = Shown::of(file.problem(), file.units());
     let mut loads = Vec::new();
     for criterion in [Criterion::VonMises, Criterion::Tresca] {
         match file.problem().first_yield(criterion, stress, Some(ratio)) {
             Ok(load) => loads.push(load.into()),
-            Err(error @ Error::NoYield { .. }) if !is_asked => {
-                let (code, message) = (WarningCode::NoYield, error.to_string());
-                return Ok(Err(Warning { code, message }));
+            Err(Error::NoYield { yield_stress, nearest }) => {
+                return Ok(Err(report::no_yield(yield_stress, nearest, &shown)));
             }
             Err(error) => return Err(file.locate(error).into()),
         }
