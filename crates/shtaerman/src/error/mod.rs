@@ -1,6 +1,7 @@
 //! What can go wrong with a problem.
 
 mod inverse;
+mod numerical;
 mod requirement;
 mod roughness;
 mod words;
@@ -14,7 +15,7 @@ use crate::document::FileError;
 use crate::expression::Defect;
 use crate::quantity::plain;
 use roughness::or_roughness;
-use words::{attempt, relative, unsolved};
+use words::{attempt, lifts_off, relative, unsolved};
 
 /// Why a problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -462,60 +463,8 @@ pub enum Error {
     Equation(fredholm::Error),
 }
 
-impl Error {
-    /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
-    #[must_use]
-    pub fn is_numerical(&self) -> bool {
-        matches!(
-            self,
-            Self::ToleranceNotMet { .. }
-                | Self::NotComplementary { .. }
-                | Self::TooManyZones { .. }
-                | Self::NotAccurate { .. }
-                | Self::UnclearBend
-                | Self::AuditFailed { .. }
-                | Self::TimeLimit { .. }
-                | Self::WorkLimit { .. }
-                | Self::TooManyParts { .. }
-                | Self::TooNarrow { .. }
-                | Self::ZonesTooClose { .. }
-                | Self::EquationTolerance { .. }
-                | Self::EquationUnsolved { .. }
-                | Self::InfiniteSolution { .. }
-                | Self::OwnEquationUnsolved { .. }
-                | Self::CheckUnsolved { .. }
-                | Self::NoReference { .. }
-                | Self::Beyond(_)
-                | Self::Inverse(InverseError::Unsolved { .. } | InverseError::NotSolved { .. })
-                | Self::Equation(
-                    fredholm::Error::TooLarge { .. }
-                        | fredholm::Error::BeyondMethod { .. }
-                        | fredholm::Error::NotPositiveDefinite { .. }
-                        | fredholm::Error::NotConverged { .. }
-                        | fredholm::Error::EigenvaluesNotFound { .. }
-                        | fredholm::Error::Singular { .. }
-                        | fredholm::Error::ZeroEigenvalue { .. }
-                        | fredholm::Error::InSpectrum { .. }
-                )
-        )
-    }
-}
-
 impl From<fredholm::Error> for Error {
     fn from(error: fredholm::Error) -> Self {
         Self::Equation(error)
     }
-}
-/// What is said of a circular punch that leans.
-fn lifts_off(field: &str, value: f64, limit: f64) -> String {
-    let value = plain(value);
-    let reason = if limit == 0.0 {
-        "the circular base does not touch as a whole without it, and a contact that is no full disk is solved under a central load only (moment = 0)".to_owned()
-    } else {
-        format!(
-            "the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}",
-            plain(limit)
-        )
-    };
-    format!("{field} = {value}: {reason}; contact = \"bilateral\" lets the pressure pull instead")
 }

@@ -1,5 +1,7 @@
 //! Parts of messages.
 
+use crate::quantity::plain;
+
 /// A relative error; of an infinite one that there is none.
 pub(super) fn relative(reached: f64) -> String {
     if reached.is_finite() {
@@ -30,4 +32,18 @@ pub(super) fn attempt(tension: f64, penetration: f64) -> String {
     format!(
         "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
     )
+}
+
+/// What is said of a circular punch that leans.
+pub(super) fn lifts_off(field: &str, value: f64, limit: f64) -> String {
+    let value = plain(value);
+    let reason = if limit == 0.0 {
+        "the circular base does not touch as a whole without it, and a contact that is no full disk is solved under a central load only (moment = 0)".to_owned()
+    } else {
+        format!(
+            "the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}",
+            plain(limit)
+        )
+    };
+    format!("{field} = {value}: {reason}; contact = \"bilateral\" lets the pressure pull instead")
 }
