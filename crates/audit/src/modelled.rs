@@ -254,8 +254,9 @@ impl Piece {
         let places: Vec<f64> =
             at.places.iter().map(|t| (centre + half * t).clamp(left, right)).collect();
         let (mut heights, mut off) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        for x in &places {
-            let [low, high] = profile.height(*x);
+        let mut ranges = vec![[0.0; 2]; count];
+        profile.heights(&places, &mut ranges);
+        for [low, high] in ranges {
             let height = 0.5 * (low + high);
             heights.push(height);
             off.push((high - height).max(height - low));
@@ -368,8 +369,10 @@ impl Profile for Modelled<'_> {
         let mut from = 0;
         while let Some(x) = places.get(from) {
             let Some(piece) = self.piece_at(*x) else {
-                found[from] = self.profile.height(*x);
-                from += 1;
+                let is_off = |x: &&f64| self.piece_at(**x).is_none();
+                let to = from + places[from..].iter().take_while(is_off).count();
+                self.profile.heights(&places[from..to], &mut found[from..to]);
+                from = to;
                 continue;
             };
             let is_on =

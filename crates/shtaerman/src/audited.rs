@@ -2,6 +2,7 @@
 
 use shtaerman_audit::{Prescribed, Profile};
 
+use crate::expression::Interval;
 use crate::{Load, Problem, Rotational};
 
 /// The base of a problem, enclosed.
@@ -9,13 +10,17 @@ pub(crate) struct EnclosedBase<'a>(pub(crate) &'a Problem);
 
 impl Profile for EnclosedBase<'_> {
     fn height(&self, x: f64) -> [f64; 2] {
-        (self.0.dimensionless_enclosure_at(x))
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
+        ends(self.0.dimensionless_enclosure_at(x))
+    }
+
+    fn heights(&self, places: &[f64], found: &mut [[f64; 2]]) {
+        for (range, known) in found.iter_mut().zip(self.0.dimensionless_enclosures_at(places)) {
+            *range = ends(known);
+        }
     }
 
     fn range(&self, interval: [f64; 2]) -> [f64; 2] {
-        (self.0.dimensionless_enclosure(interval))
-            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
+        ends(self.0.dimensionless_enclosure(interval))
     }
 
     fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64> {
@@ -26,6 +31,10 @@ impl Profile for EnclosedBase<'_> {
     fn looks(&self, _: [f64; 2]) -> u64 {
         self.0.profile().looks()
     }
+}
+
+fn ends(range: Option<Interval>) -> [f64; 2] {
+    range.map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
 }
 
 /// What the load prescribes; of a settlement with an eccentricity the answer's own force and moment instead, which is told.

@@ -276,6 +276,13 @@ impl Problem {
         range.map(|range| self.scaled(range))
     }
 
+    /// The same at many places.
+    pub(crate) fn dimensionless_enclosures_at(&self, places: &[f64]) -> Vec<Option<Interval>> {
+        let mut found = self.profile().enclosures_at(places, self.bodies.half_width());
+        found.iter_mut().flatten().for_each(|range| *range = self.scaled(*range));
+        found
+    }
+
     /// Encloses `f0^(k)/k!` for `k` from 0 to `order` on an interval, as [`Profile::taylor`] does.
     #[must_use]
     pub fn dimensionless_taylor(&self, interval: [f64; 2], order: usize) -> Option<Vec<Interval>> {

@@ -100,6 +100,14 @@ impl<const COUNT: usize> Value for Duals<COUNT> {
                 let slopes = std::array::from_fn(|k| left[k] + right[k]);
                 Self::derived(values, slopes, varies)
             }
+            Binary::Divide => {
+                let divisors: [f64; COUNT] = std::array::from_fn(|k| v.values[k] + 0.0);
+                let values: [f64; COUNT] = std::array::from_fn(|k| u.values[k] / divisors[k]);
+                let by_u = u.partial(divisors.map(|divisor| 1.0 / divisor));
+                let by_v = v.partial(std::array::from_fn(|k| values[k] / divisors[k]));
+                let slopes = std::array::from_fn(|k| by_u[k] - by_v[k]);
+                Self::derived(values, slopes, varies)
+            }
             _ => pair_by_pair(function, &u, &v),
         }
     }

@@ -80,13 +80,13 @@ impl Value for Enclosure {
 /// the last place).
 const LIBRARY_ERROR: f64 = 8.0 * f64::EPSILON;
 
+#[inline(always)]
 pub(super) fn widen_down(value: f64) -> f64 {
-    if value == f64::INFINITY {
-        return f64::MAX * (1.0 - LIBRARY_ERROR);
-    }
-    (value - value.abs() * LIBRARY_ERROR).next_down()
+    let widened = (value - value.abs() * LIBRARY_ERROR).next_down();
+    if value == f64::INFINITY { f64::MAX * (1.0 - LIBRARY_ERROR) } else { widened }
 }
 
+#[inline(always)]
 pub(super) fn widen_up(value: f64) -> f64 {
     -widen_down(-value)
 }

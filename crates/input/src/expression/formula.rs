@@ -6,6 +6,7 @@ use super::compiled::Compiled;
 use super::derivative::Dual;
 use super::duals::Duals;
 use super::enclose::Enclosure;
+use super::enclosures::{self, known};
 use super::error::ExpressionError;
 use super::interval::Interval;
 use super::line::Line;
@@ -159,17 +160,22 @@ impl Expression {
     /// [`evaluate`](Self::evaluate) and the exact ones of the formula with its numbers and
     /// constant parts rounded. It can be wider than need be where a variable occurs twice.
     pub fn enclose(&self, variables: &[Interval]) -> Enclosure {
-        let enclosure = |index: usize| {
-            variables.get(index).map_or(Enclosure::UNKNOWN, |&known| Enclosure::defined(known))
-        };
-        self.compiled.run(enclosure)
+        self.compiled.run(|index| known(variables.get(index).copied()))
     }
 
     /// Encloses all values taken on an interval of the parameter of a line.
     pub fn enclose_along(&self, line: &Line, parameter: Interval) -> Enclosure {
-        let enclosure =
-            |index| line.enclose(index, parameter).map_or(Enclosure::UNKNOWN, Enclosure::defined);
-        self.compiled.run(enclosure)
+        let [found] = self.enclose_beside(line, &[parameter]);
+        found
+    }
+
+    /// The same for several intervals side by side, for less; each is that of [`enclose`](Self::enclose) to the last bit.
+    pub fn enclose_beside<const COUNT: usize>(
+        &self,
+        line: &Line,
+        parameters: &[Interval; COUNT],
+    ) -> [Enclosure; COUNT] {
+        enclosures::beside(&self.compiled, line, parameters)
     }
 }
 

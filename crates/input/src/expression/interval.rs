@@ -104,6 +104,10 @@ impl Interval {
         Self::ends(-quadratic_up(slope.negated(), -curvature.lower, s), upper)
     }
 
+    fn has_one_sign(self) -> bool {
+        self.lower >= 0.0 || self.upper <= 0.0
+    }
+
     fn has_infinity(self) -> bool {
         !self.is_bounded()
     }
@@ -186,22 +190,10 @@ fn corners(u: Interval, v: Interval, up: fn(f64, f64) -> f64) -> Interval {
 
 /// All products: of a factor that has one sign and is bounded the ends are known.
 fn products(u: Interval, v: Interval) -> Interval {
-    if u.has_infinity() || v.has_infinity() {
-        return corners(u, v, multiply_up);
-    }
-    let by_positive = |u: Interval, v: Interval| {
-        let largest = if v.upper >= 0.0 { u.upper } else { u.lower };
-        let least = if v.lower >= 0.0 { u.lower } else { u.upper };
-        Interval::ends(-multiply_up(-least, v.lower), multiply_up(largest, v.upper))
-    };
-    if u.lower >= 0.0 {
-        by_positive(u, v)
-    } else if v.lower >= 0.0 {
-        by_positive(v, u)
-    } else if u.upper <= 0.0 {
-        by_positive(u.negated(), v.negated())
-    } else if v.upper <= 0.0 {
-        by_positive(v.negated(), u.negated())
+    let is_known = u.is_bounded() && v.is_bounded() && (u.has_one_sign() || v.has_one_sign());
+    let [lower, upper] = product_by_sign([u.lower, u.upper], [v.lower, v.upper]);
+    if is_known && lower.is_finite() && upper.is_finite() {
+        Interval::ends(lower, upper)
     } else {
         corners(u, v, multiply_up)
     }
@@ -209,13 +201,43 @@ fn products(u: Interval, v: Interval) -> Interval {
 
 /// All quotients by numbers of one sign.
 fn quotients(u: Interval, v: Interval) -> Interval {
-    if u.has_infinity() || v.has_infinity() {
-        return corners(u, v, divide_up);
+    let [lower, upper] = quotient_by_sign([u.lower, u.upper], [v.lower, v.upper]);
+    if u.is_bounded() && v.is_bounded() && lower.is_finite() && upper.is_finite() {
+        Interval::ends(lower, upper)
+    } else {
+        corners(u, v, divide_up)
     }
-    let (u, v) = if v.upper < 0.0 { (u.negated(), v.negated()) } else { (u, v) };
-    let least = if u.lower >= 0.0 { v.upper } else { v.lower };
-    let largest = if u.upper >= 0.0 { v.lower } else { v.upper };
-    Interval::ends(-divide_up(-u.lower, least), divide_up(u.upper, largest))
+}
+
+/// Ends of the products of two finite intervals, of which at least one has no numbers on one side of zero, where they are finite.
+#[inline(always)]
+pub(super) fn product_by_sign(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+    let (u, v) = if u[0] >= 0.0 {
+        (u, v)
+    } else if v[0] >= 0.0 {
+        (v, u)
+    } else if u[1] <= 0.0 {
+        (opposite(u), opposite(v))
+    } else {
+        (opposite(v), opposite(u))
+    };
+    let least = if v[0] >= 0.0 { u[0] } else { u[1] };
+    let largest = if v[1] >= 0.0 { u[1] } else { u[0] };
+    [-multiplied_up(-least, v[0]), multiplied_up(largest, v[1])]
+}
+
+/// Ends of the quotients of finite intervals, the second without zero, where they are finite.
+#[inline(always)]
+pub(super) fn quotient_by_sign(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+    let (u, v) = if v[1] < 0.0 { (opposite(u), opposite(v)) } else { (u, v) };
+    let least = if u[0] >= 0.0 { v[1] } else { v[0] };
+    let largest = if u[1] >= 0.0 { v[0] } else { v[1] };
+    [-divided_up(-u[0], least), divided_up(u[1], largest)]
+}
+
+#[inline(always)]
+fn opposite([lower, upper]: [f64; 2]) -> [f64; 2] {
+    [-upper, -lower]
 }
 
 /// `2^exponent u`, in steps that neither overflow nor underflow before the result does.
@@ -249,6 +271,7 @@ fn quadratic_up(slope: Interval, c: f64, s: Interval) -> f64 {
 }
 
 /// A bound from above, given the rounded result and the sign of what rounding left out.
+#[inline(always)]
 fn round_up(rounded: f64, left_out: f64) -> f64 {
     if left_out <= 0.0 || rounded.is_nan() { rounded } else { rounded.next_up() }
 }
@@ -266,6 +289,13 @@ fn add_up(u: f64, v: f64) -> f64 {
     if sum.is_infinite() {
         return overflow_up(sum, u.is_infinite() || v.is_infinite());
     }
+    summed_up(u, v)
+}
+
+/// A sum of finite numbers that is finite.
+#[inline(always)]
+pub(super) fn summed_up(u: f64, v: f64) -> f64 {
+    let sum = u + v;
     // The exact rounding error of the sum; a NaN from overflow on the way counts as positive.
     let seen = sum - u;
     let left_out = (u - (sum - seen)) + (v - seen);
@@ -283,9 +313,17 @@ fn multiply_up(u: f64, v: f64) -> f64 {
     if product.is_infinite() {
         return overflow_up(product, u.is_infinite() || v.is_infinite());
     }
+    multiplied_up(u, v)
+}
+
+/// A product of finite numbers that is finite.
+#[inline(always)]
+fn multiplied_up(u: f64, v: f64) -> f64 {
+    let product = u * v;
     let is_negative = (u < 0.0) != (v < 0.0);
     let left_out = if product.abs() < TINY { 1.0 } else { u.mul_add(v, -product) };
-    keep_sign(round_up(product, left_out), is_negative)
+    let rounded = keep_sign(round_up(product, left_out), is_negative);
+    if (u == 0.0) | (v == 0.0) { 0.0 } else { rounded }
 }
 
 fn divide_up(u: f64, v: f64) -> f64 {
@@ -299,14 +337,23 @@ fn divide_up(u: f64, v: f64) -> f64 {
     if v.is_infinite() {
         return quotient;
     }
+    divided_up(u, v)
+}
+
+/// A quotient of finite numbers that is finite.
+#[inline(always)]
+fn divided_up(u: f64, v: f64) -> f64 {
+    let quotient = u / v;
     let is_negative = (u < 0.0) != (v < 0.0);
     let remainder = quotient.mul_add(-v, u);
-    let is_sure = quotient.abs() > TINY && u.abs() > TINY && remainder.is_finite();
+    let is_sure = (quotient.abs() > TINY) & (u.abs() > TINY) & (remainder.abs() <= f64::MAX);
     let left_out = if is_sure { remainder * v.signum() } else { 1.0 };
-    keep_sign(round_up(quotient, left_out), is_negative)
+    let rounded = keep_sign(round_up(quotient, left_out), is_negative);
+    if u == 0.0 { 0.0 } else { rounded }
 }
 
 /// Rounding upward does not carry a negative number beyond zero.
+#[inline(always)]
 fn keep_sign(value: f64, is_negative: bool) -> f64 {
     if is_negative && value > 0.0 { 0.0 } else { value }
 }

@@ -1,6 +1,7 @@
 //! Variables tied to one parameter.
 
 use super::interval::Interval;
+use super::intervals::Intervals;
 
 /// The variables of an expression as affine functions `offset + slope * t` of one parameter `t`,
 /// in the order in which the expression was given their names.
@@ -60,6 +61,22 @@ impl Line {
             return Some(offset);
         }
         let (product, _) = Interval::point(slope)?.times(parameter);
+        Some(offset.plus(product).0)
+    }
+
+    /// The same on several intervals side by side.
+    #[inline(always)]
+    pub(super) fn enclose_beside<const COUNT: usize>(
+        &self,
+        index: usize,
+        parameters: Intervals<COUNT>,
+    ) -> Option<Intervals<COUNT>> {
+        let &(offset, slope) = self.terms.get(index)?;
+        let offset = Intervals::same(Interval::point(offset)?);
+        if slope == 0.0 {
+            return Some(offset);
+        }
+        let (product, _) = Intervals::same(Interval::point(slope)?).times(parameters);
         Some(offset.plus(product).0)
     }
 }

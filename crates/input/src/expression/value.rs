@@ -62,6 +62,7 @@ impl<const COUNT: usize> Value for [f64; COUNT] {
             Binary::Add => std::array::from_fn(|k| u[k] + v[k]),
             Binary::Subtract => std::array::from_fn(|k| u[k] - v[k]),
             Binary::Multiply => std::array::from_fn(|k| u[k] * v[k]),
+            Binary::Divide => std::array::from_fn(|k| u[k] / (v[k] + 0.0)),
             _ => pair_by_pair(function, u, v),
         }
     }

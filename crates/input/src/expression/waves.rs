@@ -27,13 +27,13 @@ pub(super) fn cosine(x: f64) -> f64 {
 /// The sine of each.
 #[inline(always)]
 pub(super) fn sines<const COUNT: usize>(x: [f64; COUNT]) -> [f64; COUNT] {
-    if are_small(&x) { x.map(|x| wave(x, 0)) } else { x.map(sine) }
+    if are_small(&x) { turns(x, 0) } else { x.map(sine) }
 }
 
 /// The cosine of each.
 #[inline(always)]
 pub(super) fn cosines<const COUNT: usize>(x: [f64; COUNT]) -> [f64; COUNT] {
-    if are_small(&x) { x.map(|x| wave(x, 1)) } else { x.map(cosine) }
+    if are_small(&x) { turns(x, 1) } else { x.map(cosine) }
 }
 
 /// Sine and cosine of each, those of [`sines`] and [`cosines`] to the last bit.
@@ -56,6 +56,16 @@ fn is_small(x: f64) -> bool {
 #[inline(always)]
 fn are_small(x: &[f64]) -> bool {
     x.iter().fold(true, |all, x| all & is_small(*x))
+}
+
+/// `sin(x + n pi/2)` of each, all of them small; by a loop, which is compiled for the vectors of its surroundings: a closure of `array::map` may not be.
+#[inline(always)]
+fn turns<const COUNT: usize>(x: [f64; COUNT], n: u64) -> [f64; COUNT] {
+    let mut found = [0.0; COUNT];
+    for k in 0..COUNT {
+        found[k] = wave(x[k], n);
+    }
+    found
 }
 
 /// `sin(x + n pi/2)` where `x` is small.

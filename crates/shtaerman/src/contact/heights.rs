@@ -42,8 +42,8 @@ impl Setting {
             zones.iter().flat_map(in_zone).map(|xi| xi.clamp(-1.0, 1.0)).collect();
         let largest =
             profile.heights(&places, half_width).iter().fold(0.0, |most, f| f.abs().max(most));
-        let roundings = places.iter().map(|xi| profile.rounding(*xi, half_width));
-        let rounding = roundings.filter(|here| here.is_finite()).fold(0.0, f64::max);
+        let roundings = profile.roundings(&places, half_width);
+        let rounding = roundings.into_iter().filter(|here| here.is_finite()).fold(0.0, f64::max);
         let scale = self.problem().bodies().unit(Scaling::displacement);
         [rounding / scale, largest / scale]
     }
@@ -58,19 +58,17 @@ impl Setting {
         for [left, right] in zones {
             for (end, inwards) in [(left, 1.0), (right, -1.0)] {
                 let nearest = f64::EPSILON * end.abs().max(right - left);
-                let at = |k: usize| {
-                    let distance = nearest * (k as f64).exp2();
-                    if distance > 0.5 * (right - left) {
-                        return 0.0;
-                    }
-                    let here =
-                        profile.rounding((end + inwards * distance).clamp(-1.0, 1.0), half_width);
-                    if here.is_finite() { here } else { 0.0 }
-                };
-                let sure = at(SWITCHED);
-                for k in 0..count {
+                let distances = (0..count).map(|k| nearest * (k as f64).exp2());
+                let places: Vec<f64> = distances
+                    .take_while(|distance| *distance <= 0.5 * (right - left))
+                    .map(|distance| (end + inwards * distance).clamp(-1.0, 1.0))
+                    .collect();
+                let mut roundings = profile.roundings(&places, half_width);
+                roundings.iter_mut().filter(|here| !here.is_finite()).for_each(|here| *here = 0.0);
+                let sure = roundings.get(SWITCHED).copied().unwrap_or(0.0);
+                for (k, here) in roundings.into_iter().enumerate() {
                     let room = (SWITCHED as f64 - k as f64).max(0.0).exp2() * sure;
-                    most = most.max(if k < SWITCHED { at(k).min(room) } else { at(k) });
+                    most = most.max(if k < SWITCHED { here.min(room) } else { here });
                 }
             }
         }

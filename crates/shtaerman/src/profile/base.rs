@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::function::Function;
 use super::resolved::Resolved;
+use super::side_by_side::{BESIDE, side_by_side};
 use super::spline::Spline;
 use crate::Error;
 use crate::error::require;
@@ -14,9 +15,6 @@ pub const VARIABLES: [&str; 3] = ["x", "xi", "a"];
 
 /// Rounding of the ends of a period, relative to its half.
 const END: f64 = 1e-12;
-
-/// Heights of a formula that are taken side by side.
-const BESIDE: usize = 8;
 
 /// Further names for a body of revolution, with the variables that they are the magnitude of.
 const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
@@ -155,17 +153,15 @@ impl Profile {
 
     /// The same at many places.
     pub(crate) fn heights(&self, places: &[f64], half_width: f64) -> Vec<f64> {
+        let alone = |xi: f64| self.height(xi, half_width);
         let Shape::Expression(expression) = &self.shape else {
-            return places.iter().map(|xi| self.height(*xi, half_width)).collect();
+            return places.iter().copied().map(alone).collect();
         };
-        let mut heights = Vec::with_capacity(places.len());
-        let (beside, rest) = places.as_chunks::<BESIDE>();
-        for xi in beside {
+        let beside = |xi: &[f64; BESIDE]| {
             let x = xi.map(|xi| half_width * xi);
-            heights.extend(expression.evaluate_beside(&[x, *xi, [half_width; BESIDE]]));
-        }
-        heights.extend(rest.iter().map(|xi| self.height(*xi, half_width)));
-        heights
+            expression.evaluate_beside(&[x, *xi, [half_width; BESIDE]])
+        };
+        side_by_side(places, beside, alone)
     }
 
     /// The number of operations of a formula.
@@ -191,21 +187,17 @@ impl Profile {
 
     /// `f` and `df/dxi` at many places, those of [`height`](Self::height) and [`slope`](Self::slope).
     pub(crate) fn tangents(&self, places: &[f64], half_width: f64) -> Vec<[f64; 2]> {
-        let alone = |xi: &f64| {
-            [self.height(*xi, half_width), self.slope(*xi, half_width).unwrap_or(f64::NAN)]
-        };
+        let alone =
+            |xi: f64| [self.height(xi, half_width), self.slope(xi, half_width).unwrap_or(f64::NAN)];
         let Shape::Expression(expression) = &self.shape else {
-            return places.iter().map(alone).collect();
+            return places.iter().copied().map(alone).collect();
         };
         let line = line(half_width);
-        let mut tangents = Vec::with_capacity(places.len());
-        let (beside, rest) = places.as_chunks::<BESIDE>();
-        for xi in beside {
+        let beside = |xi: &[f64; BESIDE]| {
             let [heights, slopes] = expression.derivatives_along(&line, xi);
-            tangents.extend(heights.into_iter().zip(slopes).map(|(height, slope)| [height, slope]));
-        }
-        tangents.extend(rest.iter().map(alone));
-        tangents
+            std::array::from_fn(|k| [heights[k], slopes[k]])
+        };
+        side_by_side(places, beside, alone)
     }
 
     /// `f(c + t) - f(c) - f'(c) t` in `xi`; of an expression without the loss of digits in that difference where `t` is small.

@@ -3,6 +3,7 @@
 //! Meant are exact values: those of the formula with its numbers and constant parts rounded, or of the cubics between measured points.
 
 use super::base::{Profile, Shape, line};
+use super::side_by_side::enclosures;
 use crate::expression::{Enclosure, Interval, Scale, Series, Taylor};
 
 /// Switches are known to a few roundings of the base, and count as lying at the end of an interval that they are so close to.
@@ -43,21 +44,32 @@ impl Profile {
     /// Encloses the exact and the computed `f(a xi)` at one place; `None` where it may be undefined or infinite.
     #[must_use]
     pub fn enclose_at(&self, xi: f64, half_width: f64) -> Option<Interval> {
-        let place = Interval::point(xi)?;
-        let computed = Interval::point(self.height(xi, half_width))?;
-        let exact = match &self.shape {
+        self.enclosures_at(&[xi], half_width)[0]
+    }
+
+    /// The same at many places, for less.
+    pub(crate) fn enclosures_at(&self, places: &[f64], half_width: f64) -> Vec<Option<Interval>> {
+        let exact: Vec<Option<Interval>> = match &self.shape {
             Shape::Expression(expression) => {
-                let values = expression.enclose_along(&line(half_width), place);
-                values.is_finite().then_some(values.interval)
+                let found = enclosures(expression, places, half_width);
+                found.into_iter().map(|one| one.is_finite().then_some(one.interval)).collect()
             }
             Shape::Measured(spline) => {
-                let x = place.times(Interval::ends(half_width, half_width)).0;
-                Some(spline.enclose_value(x, SLACK * half_width))
+                let factor = Interval::ends(half_width, half_width);
+                let at = |place: Interval| {
+                    spline.enclose_value(place.times(factor).0, SLACK * half_width)
+                };
+                places.iter().map(|xi| Interval::point(*xi).map(at)).collect()
             }
-            Shape::Flat => Some(Interval::ZERO),
-            Shape::Function(_) => None,
+            Shape::Flat => places.iter().map(|xi| Interval::point(0.0 * xi)).collect(),
+            Shape::Function(_) => vec![None; places.len()],
         };
-        exact.map(|exact| exact.hull(computed)).filter(|value| value.is_bounded())
+        let computed = self.heights(places, half_width);
+        let with = |(exact, computed): (Option<Interval>, f64)| {
+            let both = exact?.hull(Interval::point(computed)?);
+            both.is_bounded().then_some(both)
+        };
+        exact.into_iter().zip(computed).map(with).collect()
     }
 
     /// Encloses `f^(k)/k!`, derivatives with respect to `xi`, for `k` from 0 to `order` on an interval of `xi`; `None` where a value may be undefined or

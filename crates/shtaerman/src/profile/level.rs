@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::base::{Profile, Shape, line};
+use super::base::{Profile, Shape};
+use super::side_by_side::enclosures;
 use crate::expression::Interval;
 
 /// Places at which heights are compared with their range.
@@ -61,17 +62,25 @@ impl Profile {
         })
     }
 
-    /// What rounding may make of the height at `xi`: the width of an enclosure of all that the formula may come out as there.
-    pub(crate) fn rounding(&self, xi: f64, half_width: f64) -> f64 {
+    /// What rounding may make of the heights at places: the widths of enclosures of all that the formula may come out as there.
+    pub(crate) fn roundings(&self, places: &[f64], half_width: f64) -> Vec<f64> {
+        let width = |range: Interval| range.upper() - range.lower();
+        let of = |share: f64, height: &dyn Fn(f64) -> f64| {
+            places.iter().map(|xi| share * height(half_width * xi).abs()).collect()
+        };
         match &self.shape {
-            Shape::Flat => 0.0,
-            Shape::Measured(spline) => ROUNDING * spline.evaluate(half_width * xi).abs(),
-            Shape::Function(function) => ROUNDING * function.evaluate(half_width * xi).abs(),
+            Shape::Flat => vec![0.0; places.len()],
+            Shape::Measured(spline) => of(ROUNDING, &|x| spline.evaluate(x)),
+            Shape::Function(function) => of(ROUNDING, &|x| function.evaluate(x)),
             Shape::Expression(expression) => {
-                let Some(place) = Interval::point(xi) else { return f64::NAN };
-                let values = expression.enclose_along(&line(half_width), place).interval;
-                values.upper() - values.lower()
+                let found = enclosures(expression, places, half_width);
+                found.into_iter().map(|known| width(known.interval)).collect()
             }
         }
+    }
+
+    /// The same at one place.
+    pub(crate) fn rounding(&self, xi: f64, half_width: f64) -> f64 {
+        self.roundings(&[xi], half_width)[0]
     }
 }

@@ -10,6 +10,7 @@ mod level;
 mod measured;
 mod resolution;
 mod resolved;
+mod side_by_side;
 mod spline;
 mod trace;
 mod waiting;

@@ -21,10 +21,7 @@ pub(super) fn function(function: Unary, u: &Series, first: Interval, order: usiz
         Unary::Log10 => scaled_logarithm(u, LN_10, first, order),
         Unary::Log2 => scaled_logarithm(u, LN_2, first, order),
         Unary::Log1p => u.integral_over(&one_plus(u), first, order),
-        Unary::Sin => waves(u, [first, value(Unary::Cos, u)], -1.0, order).0,
-        Unary::Cos => waves(u, [value(Unary::Sin, u), first], -1.0, order).1,
-        Unary::Sinh => waves(u, [first, value(Unary::Cosh, u)], 1.0, order).0,
-        Unary::Cosh => waves(u, [value(Unary::Sinh, u), first], 1.0, order).1,
+        Unary::Sin | Unary::Cos | Unary::Sinh | Unary::Cosh => wave(function, u, first, order),
         Unary::Tan => {
             let derivative = Interval::ONE.plus(first.square()).0;
             tangent(u, [first, derivative], 1.0, order)
@@ -104,6 +101,52 @@ fn shifted_exponential(u: Interval, shift: i32) -> Interval {
     let step = Interval::ends(LN_2.next_down(), LN_2.next_up());
     let (added, _) = Interval::ends(f64::from(shift), f64::from(shift)).times(step);
     exponential(u.plus(added).0)
+}
+
+/// A sine or cosine, or one of their hyperbolic companions.
+fn wave(function: Unary, u: &Series, first: Interval, order: usize) -> Series {
+    let (companion, signs) = match function {
+        Unary::Sin => (Unary::Cos, [1.0, 1.0, -1.0, -1.0]),
+        Unary::Cos => (Unary::Sin, [1.0, -1.0, -1.0, 1.0]),
+        Unary::Sinh => (Unary::Cosh, [1.0; 4]),
+        _ => (Unary::Sinh, [1.0; 4]),
+    };
+    let companion = value(companion, u);
+    let slope = u.get(1);
+    if u.is_polynomial() && u.stored() == 2 && !slope.contains(0.0) {
+        return wave_of_linear(slope, [first, companion], signs, order);
+    }
+    let sign = if matches!(function, Unary::Sin | Unary::Cos) { -1.0 } else { 1.0 };
+    match function {
+        Unary::Sin | Unary::Sinh => waves(u, [first, companion], sign, order).0,
+        _ => waves(u, [companion, first], sign, order).1,
+    }
+}
+
+/// A wave of `u_0 + u_1 t`: its derivatives are itself and its companion by turns, with such signs, times `u_1^k/k!`.
+fn wave_of_linear(slope: Interval, values: [Interval; 2], signs: [f64; 4], order: usize) -> Series {
+    // More than a product and a quotient, and this factor, are rounded by; and what is lost where they underflow.
+    const ROUNDED: f64 = 4.0 * f64::EPSILON;
+    const UNDERFLOW: f64 = f64::MIN_POSITIVE;
+    let steepness = slope.magnitude();
+    let (mut least, mut most) = (1.0f64, 1.0f64);
+    let mut terms = Vec::with_capacity(order + 1);
+    terms.push(values[0]);
+    for k in 1..=order {
+        least = (least * steepness.lower() / k as f64 * (1.0 - ROUNDED) - UNDERFLOW).max(0.0);
+        most = most * steepness.upper() / k as f64 * (1.0 + ROUNDED) + UNDERFLOW;
+        let is_falling = slope.upper() < 0.0 && k % 2 == 1;
+        let is_opposite = is_falling != (signs[k % 4] < 0.0);
+        let value = if is_opposite { values[k % 2].negated() } else { values[k % 2] };
+        let lower = value.lower() * if value.lower() < 0.0 { most } else { least };
+        let upper = value.upper() * if value.upper() < 0.0 { least } else { most };
+        let term = Interval::ends(lower.next_down(), upper.next_up());
+        if !term.is_bounded() {
+            break;
+        }
+        terms.push(term);
+    }
+    Series::cut(terms)
 }
 
 /// Sine and cosine (`sign` -1) or their hyperbolic companions (1): `s' = u' c`, `c' = sign u' s`.

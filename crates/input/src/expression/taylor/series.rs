@@ -1,6 +1,7 @@
 //! Taylor coefficients as intervals: sums, products, quotients and what is defined by `g' = u' h`.
 
 use super::super::interval::Interval;
+use super::super::intervals;
 use super::sum::Sum;
 
 /// The enclosed coefficients of a function over an interval, from order 0 on; all are bounded.
@@ -92,15 +93,17 @@ impl Series {
     }
 
     pub(super) fn times_constant(&self, factor: Interval) -> Self {
-        self.map(|term| term.times(factor).0)
+        Self::limited(intervals::products(&self.terms, factor), self.is_polynomial)
     }
 
     pub(super) fn plus(&self, other: &Self) -> Self {
         let (short, long) =
             if self.stored() < other.stored() { (self, other) } else { (other, self) };
         let is_polynomial = self.is_polynomial && other.is_polynomial;
-        let count = if short.is_polynomial { long.stored() } else { short.stored() };
-        let terms = (0..count).map(|k| short.get(k).plus(long.get(k)).0).collect();
+        let mut terms = intervals::sums(&short.terms, &long.terms[..short.stored()]);
+        if short.is_polynomial {
+            terms.extend_from_slice(&long.terms[short.stored()..]);
+        }
         Self::limited(terms, is_polynomial)
     }
 
