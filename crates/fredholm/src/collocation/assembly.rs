@@ -39,6 +39,16 @@ impl Block {
         self.roots.len()
     }
 
+    /// A row of `S`, which is a column as well.
+    pub(super) fn row(&self, i: usize) -> &[f64] {
+        &self.matrix[i * self.order()..(i + 1) * self.order()]
+    }
+
+    /// The entries of a column from the diagonal on.
+    pub(super) fn column(&self, j: usize, column: &mut [f64]) {
+        column.copy_from_slice(&self.row(j)[j..]);
+    }
+
     /// Values at the nodes of the block of the part of `f` it acts on; `f` is given at all nodes.
     pub(super) fn restrict(&self, f: &[f64]) -> Vec<f64> {
         let right = &f[self.first..];

@@ -1,6 +1,7 @@
 //! The equation with a weight on the density, as Newton's method for a nonlinear equation meets it.
 
 use std::borrow::Cow;
+use std::f64::consts::FRAC_1_SQRT_2;
 
 use super::assembly::Part;
 use super::estimate::largest;
@@ -49,12 +50,20 @@ impl<'o> WeightedFactor<'o> {
             let factored = operator.blocks().iter().map(|block| {
                 // Of an even function the part is its values, of which the odd block has none at the middle.
                 let roots = roots[roots.len() - block.order()..].to_vec();
-                let factored = Factored::weighted(&block.matrix, &roots, parameter)?;
+                let whole = || block.matrix.as_slice();
+                let factored = Factored::weighted(
+                    |j, column| block.column(j, column),
+                    whole,
+                    &roots,
+                    parameter,
+                )?;
                 Ok((roots, factored))
             });
             Parts::Blocks(factored.collect::<Result<_, Error>>()?)
         } else {
-            let factored = Factored::weighted(&operator.whole_matrix(), &roots, parameter)?;
+            let columns = |j: usize, column: &mut [f64]| operator.column(j, column);
+            let whole = || operator.whole_matrix();
+            let factored = Factored::weighted(columns, whole, &roots, parameter)?;
             let masses = operator.node_masses().iter().map(|mass| mass.sqrt()).collect();
             Parts::Whole { roots, masses, factored }
         };
@@ -163,41 +172,57 @@ impl SincOperator {
             .map(|block| {
                 let mut part = block.restrict(scaled);
                 if block.part == Part::Even && scaled.len() % 2 == 1 {
-                    part[0] *= std::f64::consts::FRAC_1_SQRT_2;
+                    part[0] *= FRAC_1_SQRT_2;
                 }
                 part
             })
             .collect()
     }
 
-    /// `S` for all nodes, from its parts.
-    fn whole_matrix(&self) -> Cow<'_, [f64]> {
+    /// The column of a node of `S` for all nodes from the diagonal on, from its parts.
+    fn column(&self, j: usize, column: &mut [f64]) {
         let [even, odd] = match self.blocks() {
             [even, odd] => [even, odd],
-            blocks => return Cow::Borrowed(blocks.first().map_or(&[], |whole| &whole.matrix)),
+            blocks => return blocks.iter().for_each(|whole| whole.column(j, column)),
         };
+        let (middle, skipped) = (self.count() / 2, even.order() - odd.order());
+        // Nodes left of the middle are images of those on the right.
+        let at = if j < middle { self.count() - 1 - j - middle } else { j - middle };
+        let sums = even.row(at);
+        let (left, right) = column.split_at_mut(middle.saturating_sub(j));
+        let first = at * usize::from(j >= middle);
+        // The middle node is its own image, and has no part that is odd.
+        let Some(at) = at.checked_sub(skipped) else {
+            right.iter_mut().zip(sums).for_each(|(value, sum)| *value = FRAC_1_SQRT_2 * sum);
+            right[0] = sums[0];
+            return;
+        };
+        let differences = odd.row(at);
+        let on_left = sums[skipped..].iter().zip(differences).take(left.len());
+        for (value, (sum, difference)) in left.iter_mut().rev().zip(on_left) {
+            *value = 0.5 * (sum + difference);
+        }
+        let (own, right) = right.split_at_mut(skipped.saturating_sub(first));
+        own.iter_mut().for_each(|value| *value = FRAC_1_SQRT_2 * sums[0]);
+        let first = first.max(skipped);
+        let sign = if j < middle { -1.0 } else { 1.0 };
+        let on_right = sums[first..].iter().zip(&differences[first - skipped..]);
+        for (value, (sum, difference)) in right.iter_mut().zip(on_right) {
+            *value = 0.5 * (sum + sign * difference);
+        }
+    }
+
+    /// `S` for all nodes.
+    fn whole_matrix(&self) -> Cow<'_, [f64]> {
+        if let [whole] = self.blocks() {
+            return Cow::Borrowed(&whole.matrix);
+        }
         let count = self.count();
-        let (middle, skipped) = (count / 2, even.order() - odd.order());
         let mut matrix = vec![0.0; count * count];
-        let mut set = |i: usize, j: usize, value: f64| {
-            matrix[i * count + j] = value;
-            matrix[(count - 1 - i) * count + (count - 1 - j)] = value;
-        };
-        for a in 0..even.order() {
-            for b in 0..even.order() {
-                let sum = even.matrix[a * even.order() + b];
-                let (i, j) = (middle + a, middle + b);
-                if a < skipped || b < skipped {
-                    // The middle node is its own image.
-                    let both = a < skipped && b < skipped;
-                    let value = if both { sum } else { sum * std::f64::consts::FRAC_1_SQRT_2 };
-                    set(i, j, value);
-                    set(i, count - 1 - j, value);
-                } else {
-                    let difference = odd.matrix[(a - skipped) * odd.order() + b - skipped];
-                    set(i, j, 0.5 * (sum + difference));
-                    set(i, count - 1 - j, 0.5 * (sum - difference));
-                }
+        for j in 0..count {
+            self.column(j, &mut matrix[j * count + j..(j + 1) * count]);
+            for i in j..count {
+                matrix[i * count + j] = matrix[j * count + i];
             }
         }
         Cow::Owned(matrix)

@@ -1,5 +1,7 @@
 //! Symmetric systems and eigenvalue problems.
 
+use std::ops::Deref;
+
 use faer::{MatRef, Side};
 
 use super::dense::multiply_rows;
@@ -37,19 +39,24 @@ impl Factored {
         }
     }
 
-    /// The same of `1 + parameter R S R` with the diagonal matrix `R` of these entries.
-    pub(crate) fn weighted(matrix: &[f64], roots: &[f64], parameter: f64) -> Result<Self, Error> {
+    /// The same of `1 + parameter R S R` with the diagonal matrix `R` of these entries; of `S` the columns are asked for, from the diagonal on, and all of it only where it is not positive.
+    pub(crate) fn weighted<M: Deref<Target = [f64]>>(
+        entries: impl Fn(usize, &mut [f64]),
+        whole: impl FnOnce() -> M,
+        roots: &[f64],
+        parameter: f64,
+    ) -> Result<Self, Error> {
         let order = roots.len();
         let column = |j: usize, target: &mut [f64]| {
-            let source = matrix[j * order + j..(j + 1) * order].iter().zip(&roots[j..]);
-            for (target, (entry, root)) in target.iter_mut().zip(source) {
-                *target = parameter * (entry * (roots[j] * root));
+            entries(j, target);
+            for (entry, root) in target.iter_mut().zip(&roots[j..]) {
+                *entry = parameter * (*entry * (roots[j] * root));
             }
         };
         match Self::positive(order, column) {
             Some((factored, pivot)) if pivot >= SUSPICIOUS_PIVOT => Ok(factored),
             _ => {
-                let mut weighted = matrix.to_vec();
+                let mut weighted = whole().to_vec();
                 for (row, root) in weighted.chunks_exact_mut(order).zip(roots) {
                     row.iter_mut().zip(roots).for_each(|(entry, column)| *entry *= root * column);
                 }

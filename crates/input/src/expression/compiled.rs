@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use super::evaluate::{SMALL_STACK, apply};
 use super::function::Binary;
-use super::limits::STACK_LIMIT;
 use super::program::{Operation, stack_height};
 use super::value::Value;
 
@@ -68,7 +67,8 @@ impl Compiled {
         if self.height < SMALL_STACK {
             self.run_on(variable, &mut [zero; SMALL_STACK])
         } else {
-            self.run_on(variable, &mut [zero; STACK_LIMIT + 1])
+            // An array would have its pages touched by all programs.
+            self.run_on(variable, &mut vec![zero; self.height + 1])
         }
     }
 

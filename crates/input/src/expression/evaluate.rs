@@ -1,6 +1,5 @@
 //! Runs a program over any kind of value: numbers, numbers with a derivative, enclosures.
 
-use super::limits::STACK_LIMIT;
 use super::program::Operation;
 use super::value::Value;
 
@@ -18,7 +17,7 @@ pub(super) fn run<V: Value>(
     if height < SMALL_STACK {
         run_on(operations, variable, &mut [zero; SMALL_STACK])
     } else {
-        run_on(operations, variable, &mut [zero; STACK_LIMIT + 1])
+        run_on(operations, variable, &mut vec![zero; height + 1])
     }
 }
 

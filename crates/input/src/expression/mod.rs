@@ -1,7 +1,7 @@
 //! Profile expressions: formulas for the base of a punch, such as `x^2/(2*0.8)` or `abs(xi)`.
 //!
 //! A text is compiled once ([`Expression::parse`]) to a flat program, which is then evaluated
-//! without allocation, with its derivative, over whole intervals, and checked to be finite and
+//! without allocation (but for one of more than 15 intermediate values), with its derivative, over whole intervals, and checked to be finite and
 //! searched for kinks before it is put into an equation.
 //!
 //! ```
