@@ -221,8 +221,8 @@ impl Angular for OnRing<'_> {
 
     fn slope(&self, angle: f64) -> Option<f64> {
         let r = self.radius(angle);
+        let slope = self.base.has_slope().then(|| self.base.slope(r))?;
         let height = self.base.height(r) - self.reference;
-        let slope = self.base.slope(r);
         Some(-self.ring.half * angle.sin() * r.sqrt() * (0.5 * height + r * slope))
     }
 }
