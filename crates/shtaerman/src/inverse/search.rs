@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
+use crate::golden::GOLDEN;
 use crate::{Contact, ContactKind, Error, Law, PressureCurve, Problem};
 
 /// Relative distance from the wanted value that counts as reached, and that which is rounding.
@@ -11,6 +12,8 @@ const REACHED: f64 = 1e-7;
 const ROUNDING: f64 = 1e-13;
 /// Halvings of a step of a decade whose end cannot be solved: a sixth more of the unknown is the least.
 const SHORTENED: i32 = 4;
+/// An extreme is known where it lies within this share of the unknown: its value is off by the square of that.
+const EXTREME: f64 = 1e-4;
 /// The least pressure, as a share of the mean, that is as good as none: some hundred roundings of a pressure.
 const LEAST: f64 = 1e-11;
 /// Share of the values at the ends of the first bracket that counts as their size.
@@ -54,6 +57,9 @@ pub(super) struct Range {
     pub(super) ends: [f64; 2],
 }
 
+/// The trials at the ends of a bracket.
+type Ends = [Trial; 2];
+
 /// One trial.
 #[derive(Debug, Clone)]
 struct Trial {
@@ -73,7 +79,7 @@ pub(super) struct Search<'s> {
 }
 
 impl Search<'_> {
-    /// The value nearest to the start, decade by decade in both directions; the goal need not be monotone.
+    /// The value nearest to the start, decade by decade in both directions, then where an extreme between decades reaches it; the goal need not be monotone.
     pub(super) fn run(&self, range: Range) -> Result<Found, Error> {
         let mut trials = vec![self.trial(range.start.ln())?];
         let ends = range.ends.map(f64::ln);
@@ -99,7 +105,44 @@ impl Search<'_> {
                 frontiers[side] = Some(trial);
             }
         }
-        Err(self.no_such_value(&trials, &unsolved).into())
+        match self.at_extremes(&mut trials)? {
+            Some(([one, two], bracket)) => self.narrow(bracket, &[one, two], trials.len()),
+            None => Err(self.no_such_value(&trials, &unsolved).into()),
+        }
+    }
+
+    /// A bracket beside an extreme between the decades, where all trials lie on one side of what is wanted; each such extreme is narrowed until there is one, and becomes a trial.
+    fn at_extremes(&self, trials: &mut Vec<Trial>) -> Result<Option<(Ends, Bracket)>, Error> {
+        let wanted = self.goal.wanted();
+        let side = (trials[0].value - wanted).signum();
+        let off = |trial: &Trial| side * (trial.value - wanted);
+        trials.sort_by(|one, two| one.at.total_cmp(&two.at));
+        let triples: Vec<[Trial; 3]> = (trials.windows(3))
+            .filter(|three| off(&three[1]) < off(&three[0]).min(off(&three[2])))
+            .map(|three| [three[0].clone(), three[1].clone(), three[2].clone()])
+            .collect();
+        for [mut left, mut nearest, mut right] in triples {
+            while right.at - left.at > EXTREME {
+                let is_left = nearest.at - left.at > right.at - nearest.at;
+                let end = if is_left { left.at } else { right.at };
+                let trial = match self.trial(nearest.at + (1.0 - GOLDEN) * (end - nearest.at)) {
+                    Err(error) if error.is_numerical() => break,
+                    trial => trial?,
+                };
+                trials.push(trial.clone());
+                if let Some(bracket) = self.bracket(&nearest, &trial) {
+                    return Ok(Some(([nearest, trial], bracket)));
+                }
+                let beyond = if off(&trial) < off(&nearest) {
+                    std::mem::replace(&mut nearest, trial)
+                } else {
+                    trial
+                };
+                let is_left = beyond.at < nearest.at;
+                *(if is_left { &mut left } else { &mut right }) = beyond;
+            }
+        }
+        Ok(None)
     }
 
     /// A decade nearer to an end, or as much less as can be solved.

@@ -2,7 +2,7 @@
 
 use crate::inverse::support::{HERTZ_FORCE, bare, close, load, parabola, physical, unilateral};
 use shtaerman::inverse::{Goal, InverseError, force, roughness};
-use shtaerman::{Error, Load, Rotational, Roughness, Solver, Vertical};
+use shtaerman::{Error, Load, Rotational, Roughness, Solver, Vertical, file};
 
 /// `chi E*/a_H`, `a/a_H`, `p/p_H` of the rough parabola.
 const GOLDEN: [[f64; 3]; 3] = [
@@ -215,7 +215,7 @@ fn what_cannot_be_solved_far_away_hides_nothing_nearby() {
         force = 32154
         tilt = -6.663e-5
     "#;
-    let problem = shtaerman::file::parse(text, "test").unwrap();
+    let problem = file::parse(text, "test").unwrap();
     let wanted = 7.724_299_809_509_158e-3;
     assert!(problem.with_load(load_of(321_540.0)).unwrap().solve().is_err());
     let found = force(&problem, Goal::ContactWidth(wanted)).unwrap();
@@ -232,4 +232,31 @@ fn what_is_had_anyway_tells_nothing() {
     let flat = physical(200e9, 1e-14, 5e-3, "0", load(1e6, 0.0));
     let error = roughness(&flat, Goal::ContactWidth(10e-3)).unwrap_err().to_string();
     assert!(error.starts_with("a contact width of 10 mm tells no roughness"), "{error}");
+}
+
+/// Under an eccentric load the largest pressure falls with the roughness, to rise again: what lies between two decades is found, from wherever the search begins, and what can be had is told to its last digits.
+#[test]
+fn what_only_a_roughness_between_two_decades_has_is_found() {
+    let at = |roughness: f64| {
+        let text = format!(
+            "[foundation]\nyoung_modulus = 2e11\npoisson_ratio = 0.3\nroughness = {roughness:e}\n[punch]\nhalf_width = 5e-3\nprofile = \"x^2/41.548\"\n[load]\nforce = 1.4005e5\neccentricity = 2e-4\n"
+        );
+        file::parse(&text, "test").unwrap()
+    };
+    let peak = |roughness: f64| at(roughness).solve().unwrap().peak_pressure();
+    // By looking at ten roughnesses in each decade.
+    let least =
+        (0..30).map(|k| peak(10f64.powf(-14.5 + 0.1 * f64::from(k)))).fold(f64::INFINITY, f64::min);
+    for start in [8.736_916_929_264_561e-14, 1e-13, 3e-13] {
+        for wanted in [peak(1.0978e-13), peak(1.7e-13), least] {
+            let found = roughness(&at(start), Goal::PeakPressure(wanted)).unwrap();
+            let again = peak(found.value);
+            assert!((again / wanted - 1.0).abs() < 1e-7, "{start:e} {wanted}: {found:?}");
+        }
+        let refused = roughness(&at(start), Goal::PeakPressure(0.5 * least));
+        let Err(Error::Inverse(InverseError::NoSuchValue { least: told, .. })) = refused else {
+            panic!("{refused:?}")
+        };
+        assert!(told <= least && told > 0.999 * least, "{told} {least}");
+    }
 }
