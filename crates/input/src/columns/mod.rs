@@ -168,6 +168,20 @@ impl Columns {
         Ok(Sheet { rows, encoding, separator, header: names, columns })
     }
 
+    /// The names of all columns as the header has them, units included; none where there is no header.
+    ///
+    /// # Errors
+    /// [`FileError`] for no text.
+    pub fn header_names(
+        content: &[u8],
+        file_name: &str,
+        dialect: &Dialect,
+    ) -> Result<Vec<String>, FileError> {
+        let fault = |message: String| FileError::new(message).in_file(Some(file_name));
+        let (text, _) = decode(content, dialect.encoding.as_deref()).map_err(fault)?;
+        Ok(header(&text, dialect.skip).map(|header| header.names).unwrap_or_default())
+    }
+
     /// What the header says of the units of the two columns.
     ///
     /// # Errors

@@ -146,9 +146,9 @@ pub struct TableArguments {
         help = "Table in two columns, or an input file of Abaqus or CalculiX with a tabular pressure-overclosure law"
     )]
     pub file: PathBuf,
-    /// What the columns are; in an input file pressure, then overclosure.
-    #[arg(long, value_enum, value_name = "ORDER", default_value = "approach-pressure")]
-    pub columns: ColumnOrder,
+    /// What the columns are [default: what their header says, else approach-pressure; in an input file pressure, then overclosure].
+    #[arg(long, value_enum, value_name = "ORDER")]
+    pub columns: Option<ColumnOrder>,
     /// Unit of the approach [default: m; of an input file the one that it tells, as exported ones do].
     #[arg(long, value_name = "UNIT")]
     pub approach_unit: Option<String>,

@@ -173,9 +173,9 @@ fn tables_in_both_orders() {
 fn a_softening_table_has_a_linear_law_and_says_why() {
     let folder = Folder::new();
     folder.write("t.csv", "0,0\n1,1\n4,2\n9,3\n");
-    let text = folder.run(&arguments(&["table", "t.csv"])).answer();
+    let text = folder.run(&arguments(&["table", "t.csv", "--approach-unit=um"])).answer();
     assert!(text.contains("note: no power law") && text.contains("asperities stiffen"), "{text}");
-    let run = folder.run(&arguments(&["table", "t.csv", "--law=power"]));
+    let run = folder.run(&arguments(&["table", "t.csv", "--approach-unit=um", "--law=power"]));
     assert!(run.refusal().contains("asperities stiffen"), "{}", run.stderr);
 }
 

@@ -23,4 +23,4 @@ mod table;
 pub use bearing::{BearingCurve, BearingFit};
 pub use fit::Fit;
 pub use greenwood_williamson::GreenwoodWilliamson;
-pub use table::{Table, open_table, open_trace, read_table, read_trace};
+pub use table::{Table, TableOrder, open_table, open_trace, read_table, read_trace};

@@ -1,7 +1,7 @@
 //! Pressure-overclosure tables of input files of Abaqus and `CalculiX`.
 
 use super::Units;
-use crate::asperities::{Table, read_table};
+use crate::asperities::{Table, TableOrder, read_table};
 use crate::document::FileError;
 
 /// The keyword of the table, and the parameter that says that there is one.
@@ -60,7 +60,7 @@ pub fn read_input_file(
     if matches!(state, State::Before) {
         return Err(fault("has no *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR"));
     }
-    read_table(rows.as_bytes(), file_name, units, true)
+    read_table(rows.as_bytes(), file_name, units, Some(TableOrder::PressureApproach))
 }
 
 /// Where a line is.

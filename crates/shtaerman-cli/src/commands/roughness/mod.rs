@@ -4,7 +4,9 @@ mod doubts;
 mod findings;
 mod read;
 
-use shtaerman::asperities::{BearingCurve, GreenwoodWilliamson, Table, open_trace, read_table};
+use shtaerman::asperities::{
+    BearingCurve, GreenwoodWilliamson, Table, TableOrder, open_trace, read_table,
+};
 use shtaerman::document::{FileError, load_bytes};
 use shtaerman::finite_elements::{is_input_file, read_input_file};
 use shtaerman::quantity::Dimension;
@@ -277,6 +279,9 @@ fn open(source: &TableArguments) -> Result<Table, Failure> {
         return Ok(read_input_file(&bytes, &name, units)?);
     }
     let units = [approach.unwrap_or(1.0), pressure.unwrap_or(1.0)];
-    let pressure_first = source.columns == ColumnOrder::PressureApproach;
-    Ok(read_table(&bytes, &name, units, pressure_first)?)
+    let order = source.columns.map(|order| match order {
+        ColumnOrder::ApproachPressure => TableOrder::ApproachPressure,
+        ColumnOrder::PressureApproach => TableOrder::PressureApproach,
+    });
+    Ok(read_table(&bytes, &name, units, order)?)
 }
