@@ -307,6 +307,15 @@ struct Trial<'t> {
 }
 
 impl Trial<'_> {
+    /// Refuses a text as [`check`](Self::check) does, but for one whose number is refused in the same words: then it is not its unit, and its cases are without an answer as those of numbers are.
+    fn check_quantity(&self, field: &Field<'_>, text: &str, value: f64) -> Result<(), FileError> {
+        let Err(told) = self.check(field, text) else { return Ok(()) };
+        match self.check(field, &format!("{value:e}")) {
+            Err(same) if same.message() == told.message() => Ok(()),
+            _ => Err(told),
+        }
+    }
+
     /// Refuses what the reader of the problem would refuse of this key, both in the file as it is and with the others that vary at their first or last values, of which one may depend on another as a moment on its force; faults of other keys are told later.
     fn check(&self, field: &Field<'_>, text: &str) -> Result<(), FileError> {
         let read = |mut document: Document| {
@@ -439,14 +448,17 @@ fn values(field: &Field<'_>, trial: &Trial<'_>) -> Result<Variation, FileError> 
     }
     let value =
         |item: &Field<'_>| match item.value().kind() {
-            ValueKind::String(text) => {
-                trial.check(item, text)?;
+            ValueKind::String(text) => match quantity::parse(text) {
                 // With a unit it is a quantity, and its column is in SI units as those of ranges are.
-                match quantity::parse(text) {
-                    Ok(read) if read.unit_written() => Ok(Input::Number(read.value)),
-                    _ => Ok(Input::Text(text.clone())),
+                Ok(read) if read.unit_written() => {
+                    trial.check_quantity(item, text, read.value)?;
+                    Ok(Input::Number(read.value))
                 }
-            }
+                _ => {
+                    trial.check(item, text)?;
+                    Ok(Input::Text(text.clone()))
+                }
+            },
             ValueKind::Integer(value) => Ok(Input::Whole(*value)),
             ValueKind::Float(value) => Ok(Input::Number(*value)),
             ValueKind::Boolean(value) => Ok(Input::Text(value.to_string())),
@@ -464,6 +476,6 @@ fn number(field: &Field<'_>, trial: &Trial<'_>) -> Result<f64, FileError> {
     let text = field.string()?;
     let read = quantity::parse(text)
         .map_err(|error| field.error_within(error.to_string(), error.span()))?;
-    trial.check(field, text)?;
+    trial.check_quantity(field, text, read.value)?;
     Ok(read.value)
 }

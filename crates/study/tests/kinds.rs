@@ -178,6 +178,32 @@ fn forces_are_found_in_every_case() {
     assert!(rows[1].outputs[0] < rows[0].outputs[0], "more force, less roughness: {rows:?}");
 }
 
+/// A value whose problem has no answer is refused as its case, written as a number or with a unit; a unit that the key does not take before any.
+#[test]
+fn values_without_an_answer_are_cases_with_or_without_units() {
+    let study = |values: &str| {
+        format!(
+            "[foundation]\nyoung_modulus = 2e11\npoisson_ratio = 0.3\nroughness = 1.2e-14\n[punch]\nhalf_width = 5e-3\nprofile = \"x^2/40\"\n[load]\nforce = 8e5\neccentricity = 0\n\
+             [study]\nvary.\"load.eccentricity\" = {values}\noutputs = [\"settlement\"]\n"
+        )
+    };
+    for values in [
+        "[0, 0.002, 0.006]",
+        "[\"0 mm\", \"2 mm\", \"6 mm\"]",
+        "{ from = \"0 mm\", to = \"6 mm\", count = 3 }",
+    ] {
+        let study = read(&study(values)).unwrap();
+        let answered: Vec<bool> = study.solve(0..3).iter().map(|row| row.is_answered()).collect();
+        assert_eq!(answered, [true, true, false], "{values}");
+    }
+    for (values, said) in
+        [("[\"2 MPa\"]", "got MPa, a pressure"), ("[\"6 mn\"]", "unknown unit mn")]
+    {
+        let refused = read(&study(values)).unwrap_err().to_string();
+        assert!(refused.contains(said), "{refused}");
+    }
+}
+
 #[test]
 fn what_a_study_cannot_tell_is_refused() {
     let equation = "[equation]\nkind = \"second\"\nlambda = 1.0\nrhs = \"x\"\n[kernel]\nname = \"log\"\na = 1.0\n[study]\n";
