@@ -12,8 +12,6 @@ use crate::{Error, Rotational, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps (survey).
 const PLACES: usize = 128;
-/// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance (survey).
-const SWITCHED: usize = 4;
 /// The pressure in the middle of a flat punch over its mean, `2/pi` on a line and `1/2` on a disk, twice that for zones of which some take more.
 const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;
 /// Share of a zone at whose distance from an end the pressure is that of the end, a power of the distance. At half or twice stated errors grow up to 1.3 times (survey).
@@ -48,31 +46,15 @@ impl Setting {
         [rounding / scale, largest / scale]
     }
 
-    /// The largest rounding of the dimensionless heights beside the ends of the zones, where formulae such as `sqrt(1 - xi^2)` lose most: the nearest place is one rounding of the end away, each further
-    /// one twice as far, up to half the zone.
+    /// The largest rounding of the dimensionless heights beside the ends of the zones, up to half of each.
     fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
-        let count = f64::MANTISSA_DIGITS as usize;
         let (profile, half_width) =
             (self.problem().profile(), self.problem().bodies().half_width());
-        let mut most = 0.0f64;
-        for [left, right] in zones {
-            for (end, inwards) in [(left, 1.0), (right, -1.0)] {
-                let nearest = f64::EPSILON * end.abs().max(right - left);
-                let distances = (0..count).map(|k| nearest * (k as f64).exp2());
-                let places: Vec<f64> = distances
-                    .take_while(|distance| *distance <= 0.5 * (right - left))
-                    .map(|distance| (end + inwards * distance).clamp(-1.0, 1.0))
-                    .collect();
-                let mut roundings = profile.roundings(&places, half_width);
-                roundings.iter_mut().filter(|here| !here.is_finite()).for_each(|here| *here = 0.0);
-                let sure = roundings.get(SWITCHED).copied().unwrap_or(0.0);
-                for (k, here) in roundings.into_iter().enumerate() {
-                    let room = (SWITCHED as f64 - k as f64).max(0.0).exp2() * sure;
-                    most = most.max(if k < SWITCHED { here.min(room) } else { here });
-                }
-            }
-        }
-        most / self.problem().bodies().unit(Scaling::displacement)
+        let ends =
+            zones.iter().flat_map(|[left, right]| [(*left, right - left), (*right, left - right)]);
+        let roundings =
+            ends.map(|(end, into)| profile.rounding_beside(end, 0.5 * into, half_width));
+        roundings.fold(0.0, f64::max) / self.problem().bodies().unit(Scaling::displacement)
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.

@@ -16,8 +16,8 @@ use crate::{Error, Geometry, MethodChoice};
 
 /// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow (survey).
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
-/// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short. Half and twice change nothing in the one answer that asks for it (survey).
-const LARGEST_TRIED_DEGREE: usize = 2048;
+/// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short. The degree counts rounding of the series as well: `cos(437.5*xi)` has 3184, and waves to `cos(600*xi)` are resolved (survey).
+const LARGEST_TRIED_DEGREE: usize = 4096;
 
 /// A way to the solution on given ground, for one kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

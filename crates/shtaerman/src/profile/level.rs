@@ -12,6 +12,8 @@ const PLACES: usize = 33;
 const SHARE: f64 = 0.5;
 /// Rounding of a measured height, of which some are added up.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance (survey).
+const SWITCHED: usize = 4;
 
 impl Profile {
     /// The base counted from a level, and the height of that level, where a constant is larger than all heights above it: it would take their digits. None
@@ -82,5 +84,22 @@ impl Profile {
     /// The same at one place.
     pub(crate) fn rounding(&self, xi: f64, half_width: f64) -> f64 {
         self.roundings(&[xi], half_width)[0]
+    }
+
+    /// The largest of these beside an end, where formulae such as `sqrt(1 - xi^2)` lose most: the nearest place is one rounding of the end away, each further one twice as far, as far as `reach`, which is negative to the left.
+    pub(crate) fn rounding_beside(&self, end: f64, reach: f64, half_width: f64) -> f64 {
+        let nearest = f64::EPSILON * end.abs().max(2.0 * reach.abs());
+        let distances = (0..f64::MANTISSA_DIGITS as i32).map(|k| nearest * 2f64.powi(k));
+        let places: Vec<f64> = distances
+            .take_while(|distance| *distance <= reach.abs())
+            .map(|distance| (end + distance.copysign(reach)).clamp(-1.0, 1.0))
+            .collect();
+        let mut roundings = self.roundings(&places, half_width);
+        roundings.iter_mut().filter(|here| !here.is_finite()).for_each(|here| *here = 0.0);
+        let sure = roundings.get(SWITCHED).copied().unwrap_or(0.0);
+        for (k, here) in roundings.iter_mut().enumerate().take(SWITCHED) {
+            *here = here.min(2f64.powi((SWITCHED - k) as i32) * sure);
+        }
+        roundings.into_iter().fold(0.0, f64::max)
     }
 }

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use crate::contact::trees::tree;
-use shtaerman::Profile;
+use shtaerman::{MethodChoice, Profile, Solver, file};
 
 const DEGREE: usize = 32;
 const TOLERANCE: f64 = 1e-8;
@@ -90,5 +90,35 @@ proptest! {
         // The best polynomial is as close as the tolerance, an interpolant a few times as far.
         let allowed = 5.0 * TOLERANCE * (most - least).max(0.0) + 10.0 * rounding;
         prop_assert!(worst.0 <= allowed, "{text}: off by {:e} at {:e}, allowed {allowed:e}, {found:?}", worst.0, worst.1);
+    }
+}
+
+/// Under fast waves few numbers of nodes resolve the pressure at all, and their differences tell of the coarser ones: what the nodes miss between them tells of the last. The degenerate kernel has its
+/// bound, and the audit asks nothing of the way.
+#[test]
+fn the_last_number_of_nodes_states_its_own_error() {
+    for (wave, shift) in [(137.0, 0.3), (260.5, 1.0), (350.0, 0.0), (437.5, 0.0), (500.0, 0.0)] {
+        let text = format!(
+            "[dimensionless]\ntheta0 = 60\nprofile = \"cos({wave}*xi + {shift})\"\nforce = 1\nmoment = 0\n"
+        );
+        let problem = file::parse(&text, "test").unwrap();
+        let by = |solver: Solver| problem.with_solver(solver).solve().unwrap();
+        let contact = by(Solver::bilateral());
+        let kernel = by(Solver::bilateral().with_method(MethodChoice::Spectral).unwrap());
+        let [stated, bound] = [&contact, &kernel].map(|contact| contact.error().unwrap());
+        let largest = contact.peak_pressure();
+        assert!(stated.pressure < 1e-11 * largest, "{wave}: {stated:?}");
+        assert!(
+            (contact.settlement() - kernel.settlement()).abs()
+                <= stated.settlement + bound.settlement
+        );
+        assert!((contact.tilt() - kernel.tilt()).abs() <= stated.tilt + bound.tilt);
+        for i in -20..=20 {
+            let xi = 0.0499 * f64::from(i);
+            let [one, other] = [&contact, &kernel].map(|contact| contact.pressure(xi).unwrap());
+            assert!((one - other).abs() <= stated.pressure + bound.pressure, "{wave} at {xi}");
+        }
+        let audited = contact.audited().unwrap().error().unwrap().pressure;
+        assert!(audited < 1e-10 * largest, "{wave}: {audited:e}");
     }
 }

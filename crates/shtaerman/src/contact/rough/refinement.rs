@@ -191,17 +191,29 @@ impl<F: Field> Solved<F> {
             let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
             inside.iter().map(move |y| half * (1.0 - y * y).sqrt() * around(middle + half * y))
         });
-        let (square, whole) = missed
-            .zip(weights)
-            .fold((0.0, 0.0), |(square, whole), (own, w)| (square + w * own, whole + w));
-        let missed = f64::sqrt(square / whole);
+        let (square, whole, most) =
+            missed.zip(weights).fold((0.0, 0.0, 0.0f64), |(square, whole, most), (own, w)| {
+                (square + w * own, whole + w, most.max(own))
+            });
+        let (missed, most) = (f64::sqrt(square / whole), most.sqrt());
+        let rounding = pressure_rounding(self) + self.missed_at_corners(base);
         let carried = missed * base.ground.area() * whole * PI / inside.len() as f64;
         let Stiffness { force_settlement, moment_tilt, .. } = self.stiffness();
         let by = [carried / force_settlement, carried / moment_tilt, carried, carried];
-        let pressure = accuracy.pressure.max(2.0 * missed);
-        let moved = missed / self.layer.slope(self.deepest()) / self.gentlest(base);
-        let accuracy = Accuracy { pressure, ..accuracy.open(by, f64::max) };
-        self.stated = Stated { accuracy, edge: edge.max(moved), off: off.max(moved) };
+        // Where ends are known, and nothing gathers at them: no more is off than nodes miss, however far off fewer nodes are.
+        let is_plain = !base.ground.is_disk() && base.ground.exponent() == 0.0;
+        let is_whole = base.is_bilateral && is_plain && self.layer.is_linear();
+        if is_whole && SAFETY * most < accuracy.pressure {
+            let pressure = SAFETY * most + rounding;
+            let known = Accuracy { pressure, ..accuracy.open(by, f64::min) };
+            let sizes = self.state.sizes(self.largest());
+            self.stated = Stated { accuracy: known.at_least(ROUNDING, &sizes), edge, off };
+        } else if missed > rounding {
+            let pressure = accuracy.pressure.max(2.0 * missed);
+            let moved = missed / self.layer.slope(self.deepest()) / self.gentlest(base);
+            let accuracy = Accuracy { pressure, ..accuracy.open(by, f64::max) };
+            self.stated = Stated { accuracy, edge: edge.max(moved), off: off.max(moved) };
+        }
     }
 
     /// What polynomials miss of the profile on the panels at its bends, in the displacement there: at sharp tips these are as short as places are rounded at all finenesses, so that no difference tells.
