@@ -176,15 +176,15 @@ impl Problem {
 
     /// The same problem with the time that its solver allows running from now on, or else with the work of a search; none where that runs already.
     pub(crate) fn timed(&self) -> Option<Self> {
-        self.timed_for(1.0)
+        self.timed_for(self.most_work())
     }
 
-    /// The same with this share of the work, for what comes beside an answer.
-    pub(crate) fn timed_for(&self, share: f64) -> Option<Self> {
+    /// The same with so much work, for what comes beside an answer.
+    pub(crate) fn timed_for(&self, most: f64) -> Option<Self> {
         if self.deadline.is_set() {
             return None;
         }
-        let of_work = || Deadline::of_work(share * self.most_work());
+        let of_work = || Deadline::of_work(most);
         let deadline = self.solver.time_limit().map_or_else(of_work, Deadline::after);
         Some(Self { deadline, ..self.clone() })
     }

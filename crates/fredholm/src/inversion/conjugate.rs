@@ -116,13 +116,17 @@ impl Conjugate {
         let mut cuts: Vec<f64> = (0..=count).map(|i| start + width * i as f64).collect();
         cuts[count] = PI;
         let ends = [cuts[0], PI];
-        let own = || bends.iter().chain(joints);
-        cuts.extend(own().filter(|bend| **bend > start && **bend < PI));
+        let [bends, joints] = [bends, joints].map(ascending);
+        let own = ascending(&[&bends[..], &joints[..]].concat());
+        cuts.extend(own.iter().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
         // A cut by a bend is where it bends, to the last bit: a panel between shows nothing.
         let is_apart = |cut: &f64| {
             let blur = profile.blur(*cut);
-            own().all(|bend| bend == cut || (bend - cut).abs() > NEAREST * blur)
+            let before = own.partition_point(|bend| bend < cut).checked_sub(1);
+            let nearest = [before, Some(own.partition_point(|bend| bend <= cut))];
+            let mut bends = nearest.into_iter().filter_map(|index| own.get(index?));
+            bends.all(|bend| (bend - cut).abs() > NEAREST * blur)
         };
         cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
         cuts.dedup();
@@ -155,7 +159,7 @@ impl Conjugate {
         // By parts the heights at the ends of the panels remain, extrapolated from the nodes, each with its own rounding.
         let mode_error = rounding * ORDER as f64 * (panels.len() as f64).sqrt();
         let local = Local { profile, is_odd };
-        let is_bend = |at: f64| bends.contains(&at) || !is_odd && at == PI;
+        let is_bend = |at: f64| is_among(&bends, at) || !is_odd && at == PI;
         // By heights what is no jump is rounding, and spreads where it is made to meet.
         let may_jump = |at: f64| match local.power(at) {
             Some(power) => is_bend(at) && power < CONSTANT,
@@ -163,7 +167,7 @@ impl Conjugate {
         };
         // A power above zero of the distance may stand where only higher derivatives are known to jump.
         let is_cusp = |at: f64| {
-            (is_bend(at) || joints.contains(&at)) && local.power(at).is_none_or(|p| p >= CONSTANT)
+            (is_bend(at) || is_among(&joints, at)) && local.power(at).is_none_or(|p| p >= CONSTANT)
         };
         let cusped = follow_cusps(&mut panels, &local, ROUNDING * scale[1], is_cusp);
         let jumps = join(&mut panels, is_odd, HARMLESS * scale[1], may_jump);
@@ -410,6 +414,18 @@ impl Conjugate {
         }
         -2.0 / PI * sum
     }
+}
+
+/// From the least to the largest.
+fn ascending(places: &[f64]) -> Vec<f64> {
+    let mut places = places.to_vec();
+    places.sort_by(f64::total_cmp);
+    places
+}
+
+/// Whether a place is one of these, which ascend.
+fn is_among(places: &[f64], at: f64) -> bool {
+    places.get(places.partition_point(|place| *place < at)) == Some(&at)
 }
 
 #[cfg(test)]

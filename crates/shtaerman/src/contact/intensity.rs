@@ -5,11 +5,12 @@ use std::f64::consts::FRAC_PI_2;
 use super::Contact;
 use super::companion::companion;
 use super::setting::Setting;
+use crate::deadline::work;
 use crate::roughness::Law;
 use crate::{Geometry, Problem, Scaling};
 
-/// The share of the work of a search that the smooth companion may take, half a second: it comes beside an answer (survey).
-const COMPANION: f64 = 0.125;
+/// The work that the smooth companion may take, half a second, however many points were measured: it comes beside an answer (survey).
+const COMPANION: f64 = 0.125 * work::MOST;
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
 const FEW_ZONES: usize = 4;
