@@ -32,6 +32,12 @@ impl Contact {
         Self { contact, doubts }
     }
 
+    /// With what is doubtful about how it was asked for.
+    pub(crate) fn with_doubts(mut self, doubts: &[Warning]) -> Self {
+        self.doubts.extend_from_slice(doubts);
+        self
+    }
+
     fn all_warnings(&self) -> Vec<Warning> {
         [self.contact.warnings(), &self.doubts].concat()
     }

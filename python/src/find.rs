@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use shtaerman::Error;
 use shtaerman::inverse::{self, Crowned, Goal, Normalisation};
 use shtaerman::quantity::{self, Dimension};
-use shtaerman::{Rotational, Roughness, Scaling, Vertical};
+use shtaerman::{Rotational, Roughness, Scaling, Vertical, Warning};
 
 use crate::contact::Contact;
 use crate::errors::raised;
@@ -37,6 +37,16 @@ impl Quantity {
 /// The dimension that a quantity has in a problem.
 fn of_problem(problem: &shtaerman::Problem, dimension: Dimension) -> Dimension {
     if problem.is_dimensionless() { Dimension::NONE } else { dimension }
+}
+
+/// What is doubtful about a number that is wanted, in the words of the command line.
+fn doubt(problem: &shtaerman::Problem, name: &str, wanted: &Quantity) -> Vec<Warning> {
+    let is_bare = !problem.is_dimensionless() && name == "peak_pressure";
+    let doubt = match wanted {
+        Quantity::Number(value) if is_bare => Warning::low_peak_pressure(name, *value),
+        _ => None,
+    };
+    doubt.into_iter().collect()
 }
 
 /// Changes of the problem that lead to what was found: keywords of Python's `replace`.
@@ -87,6 +97,7 @@ pub(crate) fn find_value(
         _ => Goal::Settlement,
     };
     let dimension = of_problem(problem.problem(), named(0.0).dimension());
+    let doubt = doubt(problem.problem(), goal, &wanted);
     let goal = named(wanted.value(goal, dimension)?);
     let is_force = unknown == "force";
     let (asked, file) = (problem.problem().clone(), problem.file().clone());
@@ -102,7 +113,7 @@ pub(crate) fn find_value(
     let found = found.map_err(|error| raised(&error))?;
     let changes = if is_force { load(&found.contact) } else { layer(&found.contact) };
     let (wanted, error) = (goal.wanted(), found.relative_error());
-    let contact = Contact::from(found.contact);
+    let contact = Contact::from(found.contact).with_doubts(&doubt);
     Ok((found.value, wanted, found.reached, error, found.evaluations, changes, contact))
 }
 
@@ -118,6 +129,8 @@ pub(crate) fn find_crown(
     audit: bool,
 ) -> PyResult<(CrownRow, Option<CrownRow>, Option<CrownRow>, usize)> {
     let dimension = of_problem(problem.problem(), Dimension::PRESSURE);
+    let doubts: Vec<Warning> =
+        limit.iter().flat_map(|limit| doubt(problem.problem(), "peak_pressure", limit)).collect();
     let limit = limit.map(|limit| limit.value("peak_pressure", dimension)).transpose()?;
     let (asked, file) = (problem.problem().clone(), problem.file().clone());
     let work = move || {
@@ -125,7 +138,8 @@ pub(crate) fn find_crown(
         let row = |crowned: Crowned| {
             let contact = crowned.contact.clone();
             let contact = if audit { contact.audited()? } else { contact };
-            Ok::<_, Error>((crowned.radius, crowned.formula(), Contact::from(contact)))
+            let contact = Contact::from(contact).with_doubts(&doubts);
+            Ok::<_, Error>((crowned.radius, crowned.formula(), contact))
         };
         let (least, largest) = (crown.least.map(row).transpose()?, crown.largest.map(row));
         Ok::<_, Error>((row(crown.best)?, least, largest.transpose()?, crown.evaluations))

@@ -199,3 +199,12 @@ def test_slips_are_doubted() -> None:
     assert "high_pressure" in [warning.code for warning in heavy.warnings]
     soft = st.solve(**{**steel, "young_modulus": 200.0}, force="0.8 N/m", audit=False)
     assert any('is "200 GPa" meant?' in warning.message for warning in soft.warnings)
+
+
+def test_a_pressure_that_is_wanted_without_a_unit_is_doubted() -> None:
+    crowned = dict(young_modulus=2e11, poisson_ratio=0.3, roughness=1e-14, half_width=5e-3, profile="x^2/40")
+    bare = st.find("force", **crowned, force=8e5, peak_pressure=350, audit=False).contact
+    assert any('is "350 MPa" meant?' in warning.message for warning in bare.warnings)
+    for wanted in ("350 MPa", 350e6):
+        found = st.find("force", **crowned, force=8e5, peak_pressure=wanted, audit=False).contact
+        assert not any("meant?" in warning.message for warning in found.warnings)

@@ -95,6 +95,16 @@ impl Warning {
         (stress < material::SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
     }
 
+    /// A largest pressure that is wanted and was written without a unit (Pa), by its key or option; none for one as high as a yield stress may be.
+    #[must_use]
+    pub fn low_peak_pressure(key: &str, pressure: f64) -> Option<Self> {
+        let shown = plain(pressure);
+        let message = format!(
+            "{key} = {shown} has no unit and is taken in Pa, far below what metals bear: is \"{shown} MPa\" meant?"
+        );
+        (pressure < material::SOFTEST).then_some(Self { code: WarningCode::UnknownUnit, message })
+    }
+
     /// What stands in place of the unit of the positions or heights of a trace, read in metres, and the key or option that states one.
     #[must_use]
     pub fn unknown_unit(name: &str, written: &str, stated: &str) -> Self {

@@ -3,7 +3,7 @@
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
 use shtaerman::quantity::{self, Dimension};
-use shtaerman::{Contact, Error, Warning, WarningCode};
+use shtaerman::{Contact, Error, Warning};
 
 use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
@@ -237,14 +237,7 @@ fn doubt(file: &ProblemFile, text: Option<&str>) -> Vec<Warning> {
     let is_physical = !file.problem().is_dimensionless();
     let read = text.filter(|_| is_physical).and_then(|text| quantity::parse(text).ok());
     let bare = read.filter(|read| !read.unit_written()).map(|read| read.value);
-    let low = bare.filter(|value| Warning::low_yield_stress(PEAK_PRESSURE, *value).is_some());
-    let doubt = |value| Warning {
-        code: WarningCode::UnknownUnit,
-        message: format!(
-            "{PEAK_PRESSURE} = {value} has no unit and is taken in Pa, far below what metals bear: is \"{value} MPa\" meant?"
-        ),
-    };
-    low.map(doubt).into_iter().collect()
+    bare.and_then(|value| Warning::low_peak_pressure(PEAK_PRESSURE, value)).into_iter().collect()
 }
 
 /// Says the warnings that the result itself does not show.
