@@ -74,7 +74,7 @@ def test_points_are_the_trace_of_a_file(tmp_path: Path) -> None:
     (tmp_path / "trace.csv").write_text(rows, encoding="utf-8")
     (tmp_path / "p.toml").write_text(TEXT.replace('"x^2 / 40"', '{ csv = "trace.csv" }'), encoding="utf-8")
     expected = bits(st.solve(tmp_path / "p.toml"))
-    for profile in ((x, f), [x, f], np.array([x, f]), (x.tolist(), f.tolist())):
+    for profile in ((x, f), [x, f], np.array([x, f]), (x.tolist(), f.tolist()), (x[::-1], f[::-1])):
         assert bits(st.solve(TABLES, profile=profile)) == expected
     assert bits(st.solve(**{**TABLES["foundation"], "half_width": 5e-3, "profile": (x, f), "force": "0.8 MN/m"})) == expected
 

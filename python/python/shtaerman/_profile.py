@@ -146,10 +146,13 @@ def points(x: Any, f: Any) -> tuple[FloatArray, FloatArray]:
         if faulty.size:
             at = int(faulty[0])
             raise ValueError(f"profile: {name}[{at}] is {values[at]}: must be finite at every point")
+    if np.all(np.diff(positions) < 0.0):
+        # From right to left, as files may be.
+        positions, heights = positions[::-1], heights[::-1]
     back = np.flatnonzero(np.diff(positions) <= 0.0)
     if back.size:
         at = int(back[0]) + 1
-        raise ValueError(f"profile: x[{at}] = {positions[at]} after {positions[at - 1]}: places must increase from point to point")
+        raise ValueError(f"profile: x[{at}] = {positions[at]} after {positions[at - 1]}: places must increase, or decrease all along")
     return positions.copy(), heights.copy()
 
 

@@ -86,7 +86,10 @@ impl<'d> TableReader<'d> {
     pub fn exactly_one(&self, keys: &[&str]) -> Result<Field<'d>, FileError> {
         self.at_most_one(keys)?.ok_or_else(|| {
             let message = format!("{} is missing in {}", keys.join(" or "), titled(&self.path));
-            self.located(FileError::new(message))
+            let fault = FileError::new(message);
+            keys.iter()
+                .find_map(|key| self.perhaps_written(key, fault.clone()))
+                .unwrap_or_else(|| self.located(fault))
         })
     }
 
@@ -207,16 +210,8 @@ impl<'d> TableReader<'d> {
 
     fn missing(&self, key: &str) -> FileError {
         let fault = FileError::new("is missing").of_field(dotted(&self.path, key));
-        let vocabulary = self.vocabulary.borrow();
-        let unread = |name: &&str| !vocabulary.knows(&self.path, name);
-        if let Some(written) = nearest(key, self.table.keys().filter(unread)) {
-            let help = format!("{written} is written, did you mean {key}?");
-            let entry = self.table.entries.get(written);
-            let fault = fault.with_help(help);
-            return match entry {
-                Some(entry) => fault.at(&entry.key),
-                None => self.located(fault),
-            };
+        if let Some(told) = self.perhaps_written(key, fault.clone()) {
+            return told;
         }
         match self.elsewhere(key) {
             Some((table, entry)) => {
@@ -227,6 +222,18 @@ impl<'d> TableReader<'d> {
             }
             None => self.located(fault),
         }
+    }
+
+    /// The fault that a key is missing, at one that was perhaps written instead of it, if there is one.
+    fn perhaps_written(&self, key: &str, fault: FileError) -> Option<FileError> {
+        let vocabulary = self.vocabulary.borrow();
+        let unread = |name: &&str| !vocabulary.knows(&self.path, name);
+        let written = nearest(key, self.table.keys().filter(unread))?;
+        let fault = fault.with_help(format!("{written} is written, did you mean {key}?"));
+        Some(match self.table.entries.get(written) {
+            Some(entry) => fault.at(&entry.key),
+            None => self.located(fault),
+        })
     }
 
     /// The table at the top, or one of its tables, that has `key` though nobody asked for it there.

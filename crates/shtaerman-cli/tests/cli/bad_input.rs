@@ -121,6 +121,7 @@ fn keys() {
             "punch.toml:7: punch.half_width",
             "did you mean half_width?",
         ),
+        (PHYSICAL, "roughness = ", "roughnes = ", "punch.toml:4", "did you mean roughness?"),
         (PHYSICAL, "n = 40", "nn = 40", "punch.toml:16: solver.nn", "did you mean n?"),
         (
             PHYSICAL,
@@ -339,6 +340,8 @@ fn measured_profiles() {
             "p.csv: does not cover the punch: the rows reach from -4 mm to 5 mm, the punch from -5 mm to 5 mm",
         ),
         ("-5,1\n0,0\n4.9,1\n", "p.csv: does not cover the punch"),
+        // Numbers of 32 bits.
+        ("-4.9999998,1\n0,0\n4.9999998,1\n", "; they end 2e-7 mm too early"),
         ("-5,1\n0,nan\n5,1\n", "p.csv: line 2: the height is NaN"),
         ("-5,1\n0\n5,1\n", "p.csv: line 2: needs two columns"),
     ] {

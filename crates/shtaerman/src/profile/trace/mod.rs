@@ -173,12 +173,21 @@ impl Trace {
         } else {
             ""
         };
+        let [reach, asked] =
+            [[first, last], [left, right]].map(|ends| ends.map(|end| self.shown(end)));
+        // Numbers of 32 bits, for one, are off by less than is shown.
+        let short = if reach == asked {
+            let most = (first - left).max(right - last);
+            format!(
+                "; they end {} too early, as numbers of few digits do: write one row more, or a half-width so much shorter",
+                self.shown(most)
+            )
+        } else {
+            String::new()
+        };
         let message = format!(
-            "does not cover the punch: the rows reach from {} to {}, the punch from {} to {}{elsewhere}",
-            self.shown(first),
-            self.shown(last),
-            self.shown(left),
-            self.shown(right)
+            "does not cover the punch: the rows reach from {} to {}, the punch from {} to {}{elsewhere}{short}",
+            reach[0], reach[1], asked[0], asked[1]
         );
         Err(FileError::new(message).in_file(Some(name)))
     }
