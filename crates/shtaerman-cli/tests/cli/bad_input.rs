@@ -136,8 +136,8 @@ fn keys() {
             DIMENSIONLESS,
             "force",
             "forse",
-            "punch.toml:1",
-            "force or settlement is missing in [dimensionless]",
+            "punch.toml:4",
+            "did you mean force?",
         ),
         (
             DIMENSIONLESS,
