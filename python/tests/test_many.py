@@ -29,6 +29,8 @@ def test_each_case_has_the_bits_of_a_single_solve(audit: bool) -> None:
         assert found.error.kind[index] == one.error.kind == ("bound" if audit else "estimate")
         for name in ("pressure", "settlement", "tilt", "force", "moment"):
             assert getattr(found.error, name)[index] == getattr(one.error, name), name
+        stated = np.asarray(found.error.peak_pressure)[index]
+        assert stated == one.error.peak_pressure if audit else np.isnan(stated) and one.error.peak_pressure is None
 
 
 @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ _OUTPUTS = (
     "theta0",
     "stiffness",
 )
-_ERRORS = ("pressure", "settlement", "tilt", "force", "moment")
+_ERRORS = ("pressure", "peak_pressure", "settlement", "tilt", "force", "moment")
 
 
 def solve_many(
@@ -129,6 +129,8 @@ def _wanted(outputs: Sequence[str] | None) -> list[str] | None:
         error = "pressure" if "pressure" in name else name
         if error in _ERRORS and name != "peak_pressure_at":
             wanted.append(f"error_{error}")
+        if name == "peak_pressure":
+            wanted.append("error_peak_pressure")
     return list(dict.fromkeys([*wanted, "relative_error"]))
 
 
@@ -341,7 +343,7 @@ class Contacts:
 
     @property
     def error(self) -> Errors:
-        """The errors as arrays; ``kind`` is ``"bound"``, ``"estimate"``, or empty where nothing is stated and the errors are NaN."""
+        """The errors as arrays; ``kind`` is ``"bound"``, ``"estimate"``, or empty where nothing is stated and the errors are NaN, as that of the largest pressure is without an audit."""
         # Of what was not asked for nothing is stated.
         nothing = np.full(self._shape, np.nan)
         parts: dict[str, Any] = {name: self._found.get(f"error_{name}", nothing) for name in _ERRORS}

@@ -132,13 +132,7 @@ fn keys() {
         ),
         (PHYSICAL, "[solver]", "[solvr]", "punch.toml:14: solvr", "did you mean solver?"),
         (PHYSICAL, "[solver]", "[notes]\n[solver]", "punch.toml:14: notes", "not a known key"),
-        (
-            DIMENSIONLESS,
-            "force",
-            "forse",
-            "punch.toml:4",
-            "did you mean force?",
-        ),
+        (DIMENSIONLESS, "force", "forse", "punch.toml:4", "did you mean force?"),
         (
             DIMENSIONLESS,
             "n = 40",
