@@ -254,3 +254,52 @@ fn odd_intervals_are_answered() {
     let missing = parsed("a").taylor_along(&Line::identity(), interval(0.0, 1.0), 3, 0.0);
     assert_eq!(missing.range(), None);
 }
+
+/// Of `w xi + c` the coefficients are `w^k/k!` times the wave and its companion by turns: over an interval they hold those at all its places, at one place they are no wider than rounding.
+#[test]
+fn waves_of_linear_arguments() {
+    let mut case = 0;
+    for (function, is_circular, is_odd) in
+        [("sin", true, true), ("cos", true, false), ("sinh", false, true), ("cosh", false, false)]
+    {
+        for w in [1e-3, 0.7, 3.0, 40.0, 900.0] {
+            for sign in [1.0, -1.0] {
+                case += 1;
+                let (w, c) = (sign * w, (1.7 * f64::from(case)).sin());
+                let text = format!("{function}({w}*xi + {c})");
+                let lower = 0.01 * (2.3 * f64::from(case)).cos();
+                for width in [0.0, 1e-4, 0.02] {
+                    let found = expansion(&text, [lower, lower + width], 24);
+                    let mut factor = 1.0;
+                    for k in 0..=24 {
+                        let range = found.coefficient(k);
+                        for share in [0.0, 0.31, 1.0] {
+                            let u = w * (lower + share * width) + c;
+                            let is_own = (k % 2 == 0) == is_odd;
+                            let value = match (is_circular, is_own) {
+                                (true, true) => u.sin(),
+                                (true, false) => u.cos(),
+                                (false, true) => u.sinh(),
+                                (false, false) => u.cosh(),
+                            };
+                            // sin, cos, -sin, -cos and cos, -sin, -cos, sin.
+                            let turns = if is_odd { k } else { k + 1 };
+                            let exact =
+                                factor * if is_circular && turns % 4 > 1 { -value } else { value };
+                            let slack = 1e-12 * exact.abs() + 1e-14 * factor.abs();
+                            assert!(
+                                range.lower() <= exact + slack && exact - slack <= range.upper(),
+                                "{text} {k}: {exact:e} {range:?}"
+                            );
+                        }
+                        if width == 0.0 {
+                            let size = range.size().max(factor.abs());
+                            assert!(range.length() <= 1e-11 * size, "{text} {k}: {range:?}");
+                        }
+                        factor *= w / (k + 1) as f64;
+                    }
+                }
+            }
+        }
+    }
+}
