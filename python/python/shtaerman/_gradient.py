@@ -30,7 +30,7 @@ def value_and_gradient(
     output:
         ``"settlement"`` (where the force is prescribed), ``"force"`` (where the settlement is), ``"tilt"``, ``"peak_pressure"`` or ``"contact_width"``.
     with_respect_to:
-        Names of parameters: ``"roughness"`` (``chi`` or ``B``), ``"young_modulus"`` (of graded ground ``grading_modulus``), ``"theta0"`` of a dimensionless problem, the prescribed ``"force"`` or ``"settlement"``, and
+        Names of parameters: ``"roughness"`` (``chi`` or ``B``), ``"young_modulus"`` (of graded ground the derivative by its ``grading_modulus``), ``"theta0"`` of a dimensionless problem, the prescribed ``"force"`` or ``"settlement"``, and
         ``"profile"``: the logarithm of the scale of the profile, ``d/ds`` at ``s = 1`` for the base ``s f(x)``. For the crown ``x^2/(2 R)`` that is ``-R d/dR``.
 
     Returns
