@@ -314,14 +314,8 @@ pub(crate) fn stress_table(
             "\nfirst yield at {}, force and moment scaled together (error: estimate):\n",
             stress(limit)
         );
-        let mut table = Table::new(&[
-            "criterion",
-            "force",
-            "off by at most",
-            "moment",
-            "times the load",
-            "where",
-        ]);
+        let mut table =
+            Table::new(&["criterion", "force", "error", "moment", "times the load", "where"]);
         for load in loads {
             let peak = PeakReport { value: 0.0, x: load.x, y: load.y, is_corner: load.is_corner };
             let criterion = match load.criterion {

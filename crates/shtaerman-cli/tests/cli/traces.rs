@@ -235,7 +235,7 @@ fn messages_have_the_units_and_the_option_of_the_user() {
         ("80 mm", "the cutoff of the filter, 80 mm, is longer than the trace, 12 mm"),
         (
             "8 um",
-            "the cutoff of the filter, 0.008 mm, is less than 4 times the distance of the points, 3 mm",
+            "the cutoff of the filter, 0.008 mm, is less than 4 times the distance of neighbouring points, 5 mm",
         ),
     ] {
         let told = trace("mm.csv", &["--cutoff", cutoff]);
