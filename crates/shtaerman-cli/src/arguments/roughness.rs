@@ -149,10 +149,10 @@ pub struct TableArguments {
     /// What the columns are [default: what their header says, else approach-pressure; in an input file pressure, then overclosure].
     #[arg(long, value_enum, value_name = "ORDER")]
     pub columns: Option<ColumnOrder>,
-    /// Unit of the approach [default: m; of an input file the one that it tells, as exported ones do].
+    /// Unit of the approach [default: that of the header, else m; of an input file the one that it tells, as exported ones do].
     #[arg(long, value_name = "UNIT")]
     pub approach_unit: Option<String>,
-    /// Unit of the pressure [default: Pa; of an input file the one that it tells].
+    /// Unit of the pressure [default: that of the header, else Pa; of an input file the one that it tells].
     #[arg(long, value_name = "UNIT")]
     pub pressure_unit: Option<String>,
     /// The law that goes into the problem file [default: that with the smaller largest deviation].

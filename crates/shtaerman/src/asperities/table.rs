@@ -8,7 +8,7 @@ use crate::document::FileError;
 use crate::document::load_bytes;
 use crate::error::require;
 use crate::quantity::Dimension;
-use shtaerman_input::columns::{Columns, Dialect, Row};
+use shtaerman_input::columns::{Columns, Dialect, HeaderUnit, Row};
 
 /// An approach (m) beyond this is none of asperities.
 const LONGEST: f64 = 1.0;
@@ -120,14 +120,14 @@ fn is_pressure(name: &str) -> Option<bool> {
     }
 }
 
-/// Reads a table of two columns, approach and pressure, in the order given or in that of their header; without either the approach comes first. Units are SI values of the units of approach and pressure.
+/// Reads a table of two columns, approach and pressure, in the order given or in that of their header; without either the approach comes first. Units are SI values of the units of approach and pressure; where none is given it is that of the header, else SI.
 ///
 /// # Errors
 /// [`FileError`] with the file, and the line where one is at fault; for a header that says another order, and for columns that look like the other way round.
 pub fn read_table(
     content: &[u8],
     file_name: &str,
-    [approach_unit, pressure_unit]: [f64; 2],
+    [approach_unit, pressure_unit]: [Option<f64>; 2],
     order: Option<TableOrder>,
 ) -> Result<Table, FileError> {
     let fault = |message: String| FileError::new(message).in_file(Some(file_name));
@@ -147,8 +147,15 @@ pub fn read_table(
     let approach = ("approach", Dimension::LENGTH, approach_unit);
     let pressure = ("pressure", Dimension::PRESSURE, pressure_unit);
     let [one, two] = if pressure_first { [pressure, approach] } else { [approach, pressure] };
-    let columns =
-        Columns { names: [one.0, two.0], dimensions: [one.1, two.1], units: [one.2, two.2] };
+    let columns = Columns { names: [one.0, two.0], dimensions: [one.1, two.1], units: [1.0; 2] };
+    let [of_one, of_two] = columns.header_units(content, file_name, &Dialect::default())?;
+    let unit = |(_, expected, given): (_, Dimension, Option<f64>), written: HeaderUnit| {
+        given.unwrap_or(match written {
+            HeaderUnit::Known { size, dimension, .. } if dimension == expected => size,
+            _ => 1.0,
+        })
+    };
+    let columns = Columns { units: [unit(one, of_one), unit(two, of_two)], ..columns };
     let rows = columns.read(content, file_name)?;
     let ordered = |values: [f64; 2]| if pressure_first { [values[1], values[0]] } else { values };
     for row in &rows {
@@ -178,7 +185,7 @@ pub fn read_table(
 /// Those of [`read_table`], and [`FileError`] for a file that cannot be read.
 pub fn open_table(
     path: &Path,
-    units: [f64; 2],
+    units: [Option<f64>; 2],
     order: Option<TableOrder>,
 ) -> Result<Table, FileError> {
     let (bytes, name) = load(path)?;
@@ -228,7 +235,7 @@ mod tests {
 
     #[test]
     fn reads_both_orders_with_units() {
-        let units = [1e-6, 1e6];
+        let units = [Some(1e-6), Some(1e6)];
         let one = read_table(b"v_um;p_MPa\n0;0\n0,5;10\n1;20\n", "t.csv", units, None).unwrap();
         let swapped = Some(TableOrder::PressureApproach);
         let two = read_table(b"0,0\n10,0.5\n20,1\n", "t.csv", units, swapped).unwrap();
@@ -243,6 +250,9 @@ mod tests {
             assert!(denied.unwrap_err().to_string().contains("another order"), "{header}");
         }
         assert_eq!(one.count(), 3);
+        // And its units.
+        let text = b"pressure [MPa],approach [um]\n0,0\n10,0.5\n20,1\n";
+        assert_eq!(one, read_table(text, "t.csv", [None; 2], None).unwrap());
         for fit in [one.fit_linear().unwrap(), two.fit_power().unwrap()] {
             let Roughness::Linear { compliance } = fit.roughness else { panic!("{fit:?}") };
             assert!((compliance / 0.5e-13 - 1.0).abs() < 1e-12);
@@ -264,7 +274,7 @@ mod tests {
             ("1,2,3\n", "needs two columns, approach and pressure, got 3"),
         ] {
             let message =
-                read_table(text.as_bytes(), "t.csv", [1.0; 2], None).unwrap_err().to_string();
+                read_table(text.as_bytes(), "t.csv", [None; 2], None).unwrap_err().to_string();
             assert!(
                 message.starts_with("t.csv: ") && message.contains(said),
                 "{text:?}: {message}"

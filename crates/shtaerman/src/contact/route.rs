@@ -12,7 +12,7 @@ use super::solution::Solution;
 use super::spectral::{SpectralContact, profile_series};
 use crate::roughness::Law;
 use crate::solver::AIM;
-use crate::{Error, Geometry, MethodChoice};
+use crate::{Error, ErrorKind, Geometry, MethodChoice};
 
 /// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow (survey).
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
@@ -222,7 +222,13 @@ fn suited(setting: &Setting) -> Result<Found, Error> {
     if is_tried && let Ok(found) = collocated(setting, &parts.uncut(), Reason::Closer) {
         candidates.push(found);
     }
-    let error = |found: &Found| found.solution.relative_error();
+    // An audit bounds an estimate as rounding grows with `theta0`.
+    let bounded = setting.problem().aim() / AIM;
+    let is_bound =
+        |found: &Found| found.solution.accuracy().is_some_and(|a| a.kind == ErrorKind::Bound);
+    let error = |found: &Found| {
+        found.solution.relative_error() * if is_bound(found) { 1.0 } else { bounded }
+    };
     let best = candidates.into_iter().min_by(|one, two| error(one).total_cmp(&error(two)));
     best.ok_or_else(super::search::unknown)
 }

@@ -60,7 +60,7 @@ pub fn read_input_file(
     if matches!(state, State::Before) {
         return Err(fault("has no *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR"));
     }
-    read_table(rows.as_bytes(), file_name, units, Some(TableOrder::PressureApproach))
+    read_table(rows.as_bytes(), file_name, units.map(Some), Some(TableOrder::PressureApproach))
 }
 
 /// Where a line is.

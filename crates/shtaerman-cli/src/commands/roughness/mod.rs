@@ -278,10 +278,9 @@ fn open(source: &TableArguments) -> Result<Table, Failure> {
         };
         return Ok(read_input_file(&bytes, &name, units)?);
     }
-    let units = [approach.unwrap_or(1.0), pressure.unwrap_or(1.0)];
     let order = source.columns.map(|order| match order {
         ColumnOrder::ApproachPressure => TableOrder::ApproachPressure,
         ColumnOrder::PressureApproach => TableOrder::PressureApproach,
     });
-    Ok(read_table(&bytes, &name, units, order)?)
+    Ok(read_table(&bytes, &name, [approach, pressure], order)?)
 }
