@@ -15,7 +15,7 @@ use crate::problem::{Problem, solved};
 use crate::running::{Ended, run};
 
 /// Numbers that are told of a case, in this order; the four of the stiffness are one array of Python's.
-const NUMBERS: [&str; 22] = [
+const NUMBERS: [&str; 23] = [
     "settlement",
     "tilt",
     "force",
