@@ -240,6 +240,13 @@ impl Profile for Raised<'_> {
         self.with(self.profile.height(x), x, 0.0)
     }
 
+    fn heights(&self, places: &[f64], found: &mut [[f64; 2]]) {
+        self.profile.heights(places, found);
+        for (range, x) in found.iter_mut().zip(places) {
+            *range = self.with(*range, *x, 0.0);
+        }
+    }
+
     fn range(&self, [left, right]: [f64; 2]) -> [f64; 2] {
         let off = 0.5 * (right - left) * self.slope;
         self.with(self.profile.range([left, right]), 0.5 * (left + right), off)

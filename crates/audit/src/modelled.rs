@@ -27,7 +27,7 @@ const KEPT: u64 = 1;
 /// The share of what an audit may take that goes into polynomials, at most: where nothing is left the base is asked for anew each time (survey: 30,000 looks at most for 180 plausible problems of 1,250,000; a formula that
 /// bends at `1e-12` of its length would take ten million, for nothing).
 const SHARE: u64 = 4;
-/// A height takes this share of what derivatives take, and a look for the sums (survey: 0.04 us an operation of a formula, where derivatives take 0.5).
+/// A height takes this share of what derivatives take, and a look for the sums (survey: at most 0.04 us an operation of a formula, where derivatives take 0.3 to 0.5).
 const OF_DERIVATIVES: u64 = 14;
 /// Intervals are not halved below this length.
 const SHORTEST: f64 = 1e-4;

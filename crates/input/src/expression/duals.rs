@@ -143,11 +143,11 @@ fn kept(number: f64, mask: u64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::{Expression, Line};
 
     /// Formulae of all functions, with kinks, branches, parts that do not vary and places without a value.
-    const FORMULAE: [&str; 14] = [
+    pub(in super::super) const FORMULAE: [&str; 14] = [
         "1e-3*cos(2*pi*x/a + 0.3) - 2*sin(17*x)^2 + x^3/(1 + x^2)",
         "abs(x) + max(x, 0.1) - min(x^2, 0.04) + hypot(x, 0.2)",
         "where(x > 0.1, sin(x), a*x^2) + where(x < 0, a, x)",

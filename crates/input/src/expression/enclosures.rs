@@ -146,32 +146,24 @@ pub(super) fn known(interval: Option<Interval>) -> Enclosure {
 
 #[cfg(test)]
 mod tests {
+    use super::super::duals::tests::FORMULAE;
     use super::super::{Expression, Interval, Line};
 
-    /// Formulae of all functions, with kinks, branches, quotients by zero, overflow and places without a value.
-    const FORMULAE: [&str; 15] = [
-        "1e-3*cos(2*pi*x/a + 0.3) - 2*sin(17*x)^2 + x^3/(1 + x^2)",
-        "abs(x) + max(x, 0.1) - min(x^2, 0.04) + hypot(x, 0.2)",
-        "where(x > 0.1, sin(x), a*x^2) + where(x < 0, a, x)",
-        "sqrt(x) + sqrt(x^2) + 0*sqrt(a - a)",
-        "exp(x)*ln(2 + x) - log10(3 + x)*log2(3 + x) + log1p(x) + expm1(x)",
-        "asin(x/2) + acos(x/2) + atan(x) + atan2(x, 1) + tan(x)",
+    /// Products of what is about zero, cosines that turn too often to be looked at, overflow and underflow.
+    const MORE: [&str; 6] = [
         "x*sin(x)*x - (x - 0.1)*(x + 0.1)/(x - 3)",
-        "cbrt(x) + sign(x) + floor(3*x) + ceil(2*x) + step(x)",
-        "x^a + a^x + 2^(x^2) - (-x)",
         "sin(1e9*x) + cos(2000*x) + cos(1e13*x)",
         "x/0 + 1/x + cos(1/x)",
         "1e300*x*1e300 - 1e300*x*x*1e300",
         "1e-300*x*1e-20/7 - x/1e300/1e20",
         "0*x + 0/(x + 5) - (x - x)",
-        "sin(a)*sqrt(a - a)*x + ln(a - a)",
     ];
 
     #[test]
     fn enclosures_side_by_side_are_those_of_each() {
         let line = Line::new(&[(0.0, 0.5), (0.5, 0.0)]);
         let places = [-1.0, -0.37, -1e-12, 0.0, 1e-300, 0.2, 0.2f64.next_up(), 0.999];
-        for formula in FORMULAE {
+        for formula in FORMULAE.into_iter().chain(MORE) {
             let expression = Expression::parse(formula, &["x", "a"]).unwrap();
             for length in [0.0, 1e-13, 0.3, 5.0] {
                 let ranges = places.map(|place| Interval::ends(place, place + length));

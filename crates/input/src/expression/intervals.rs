@@ -59,28 +59,18 @@ impl<const COUNT: usize> Intervals<COUNT> {
                 [lower, summed_up(self.upper[k], other.upper[k])]
             },
         );
-        if self.are_bounded() & other.are_bounded() & sum.are_bounded() {
-            (sum, [false; COUNT])
-        } else {
-            self.pair_by_pair(&other, Interval::plus)
-        }
+        self.clear_or_alone(other, (sum, true), Interval::plus)
     }
 
     #[inline(always)]
     pub(super) fn times(self, other: Self) -> Known<COUNT> {
-        let is_clear = (0..COUNT).fold(true, |all, k| {
-            all & (has_one_sign(self.lower[k], self.upper[k])
-                | has_one_sign(other.lower[k], other.upper[k]))
-        });
+        let is_clear = (0..COUNT)
+            .fold(true, |all, k| all & (has_one_sign(self.pair(k)) | has_one_sign(other.pair(k))));
         let product = Self::ends(
             #[inline(always)]
             |k| product_by_sign(self.pair(k), other.pair(k)),
         );
-        if is_clear & self.are_bounded() & other.are_bounded() & product.are_bounded() {
-            (product, [false; COUNT])
-        } else {
-            self.pair_by_pair(&other, Interval::times)
-        }
+        self.clear_or_alone(other, (product, is_clear), Interval::times)
     }
 
     #[inline(always)]
@@ -91,10 +81,21 @@ impl<const COUNT: usize> Intervals<COUNT> {
             #[inline(always)]
             |k| quotient_by_sign(self.pair(k), other.pair(k)),
         );
-        if is_clear & self.are_bounded() & other.are_bounded() & quotient.are_bounded() {
-            (quotient, [false; COUNT])
+        self.clear_or_alone(other, (quotient, is_clear), Interval::over)
+    }
+
+    /// What was found by the ends, if that is clear and all is finite, else each pair by itself.
+    #[inline(always)]
+    fn clear_or_alone(
+        self,
+        other: Self,
+        (found, is_clear): (Self, bool),
+        alone: fn(Interval, Interval) -> (Interval, bool),
+    ) -> Known<COUNT> {
+        if is_clear & self.are_bounded() & other.are_bounded() & found.are_bounded() {
+            (found, [false; COUNT])
         } else {
-            self.pair_by_pair(&other, Interval::over)
+            self.pair_by_pair(&other, alone)
         }
     }
 
@@ -219,6 +220,6 @@ impl Intervals<LANES> {
 
 /// Whether an interval has no numbers on one side of zero.
 #[inline(always)]
-fn has_one_sign(lower: f64, upper: f64) -> bool {
+fn has_one_sign([lower, upper]: [f64; 2]) -> bool {
     (lower >= 0.0) | (upper <= 0.0)
 }
