@@ -1,4 +1,4 @@
-//! Measured profiles on panels: sensitivities against differences of complete solves, what a force leads to when that is prescribed, and gaps that no sample shows.
+//! Measured profiles on panels: the load and displacements against a rule of their own, sensitivities against differences of complete solves, what a force leads to when that is prescribed, and gaps that no sample shows.
 
 use shtaerman::{
     Complementarity, Foundation, Load, MethodName, Problem, Profile, Punch, Rotational, Vertical,
@@ -110,5 +110,51 @@ fn what_comes_out_may_be_prescribed() {
         let stiffness = by_settlement.force.unwrap().settlement.unwrap();
         let compliance = by_force.settlement.unwrap().force.unwrap();
         assert_within("rate", stiffness * compliance, 1.0, 1e-8);
+    }
+}
+
+#[test]
+fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
+    let problem = problem(8.0, trace(1000, 8.0), FORCED, Rotational::Moment(0.2));
+    let found = problem.solve().unwrap();
+    assert_eq!(found.method().name, MethodName::Panels);
+    let Complementarity { tension, penetration } = found.complementarity().unwrap();
+    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+    let zones = found.zones();
+    let inside = 0.6 * zones[3][0] + 0.4 * zones[3][1];
+    let beside = 0.3 * zones[3][1] + 0.7 * zones[4][0];
+    let joints = (0..1000).map(|i| 2.0 * f64::from(i) / 999.0 - 1.0);
+    let (mut force, mut moment, mut displaced) = (0.0, 0.0, [0.0, 0.0]);
+    for [left, right] in zones {
+        let mut cuts: Vec<f64> = joints.clone().chain([inside]).collect();
+        cuts.retain(|at| *at > left && *at < right);
+        cuts.extend([left, right]);
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for node in fredholm::quadrature::double_exponential(14) {
+                // The distance from a place that is a cut is exact.
+                let [from_left, from_right] = [half * node.from_left, half * node.from_right];
+                let is_near = from_left < from_right;
+                let s = if is_near { pair[0] + from_left } else { pair[1] - from_right };
+                let part = half * node.weight * found.pressure(s).unwrap();
+                force += part;
+                moment += s * part;
+                for (sum, x) in displaced.iter_mut().zip([inside, beside]) {
+                    let distance = match (pair[0] == x, pair[1] == x) {
+                        (true, _) => from_left,
+                        (_, true) => from_right,
+                        _ => (x - s).abs(),
+                    };
+                    *sum -= 8.0 * part * distance.ln();
+                }
+            }
+        }
+    }
+    let size = found.peak_pressure() + found.settlement().abs() + found.tilt().abs();
+    assert_within("force", force, 1.0, 1e-11);
+    assert_within("moment", moment, 0.2, 1e-11);
+    for (sum, x) in displaced.into_iter().zip([inside, beside]) {
+        assert_within("displacement", sum, found.elastic_displacement(x), 1e-10 * size);
     }
 }

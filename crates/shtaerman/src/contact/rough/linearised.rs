@@ -136,7 +136,7 @@ fn left_by_answer<F: Field>(solved: &Solved<F>) -> f64 {
 pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Linearised> {
     let [.., before, last] = levels else { return None };
     let first = levels.len().checked_sub(3).and_then(|first| levels.get(first));
-    let errors = std::array::from_fn(|input| {
+    let errors: [Rates; 3] = std::array::from_fn(|input| {
         let of = |level: &Changes, k: usize| level[input][0][k];
         let mut errors: Rates = std::array::from_fn(|k| {
             let change = (of(last, k) - of(before, k)).abs();
@@ -157,7 +157,25 @@ pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Lineari
         }
         errors
     });
-    Some(Linearised { rates: last.map(|[rates, _]| rates), errors })
+    let rates = last.map(|[rates, _]| rates);
+    let errors = with_that_of_displacements(&rates, errors);
+    Some(Linearised { rates, errors })
+}
+
+/// The pressure at one place may agree by chance as well: it is known to no smaller a share than displacements and force, of which one is no part of the load.
+fn with_that_of_displacements(rates: &[Rates; 3], mut errors: [Rates; 3]) -> [Rates; 3] {
+    let largest =
+        |of: &[Rates; 3], k: usize| of.iter().fold(0.0f64, |most, r| most.max(r[k].abs()));
+    let share = |k: &[usize]| {
+        let [error, size] =
+            [&errors, rates].map(|of| k.iter().map(|k| largest(of, *k)).sum::<f64>());
+        if size > 0.0 { error / size } else { 0.0 }
+    };
+    let share = share(&[0, 2]).max(share(&[1]));
+    for (errors, rates) in errors.iter_mut().zip(rates) {
+        errors[3] = errors[3].max(share * rates[3].abs());
+    }
+    errors
 }
 
 /// What is left of a quantity of this size after two differences, of nodes that may grow by a ratio.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::contact::balance::State;
-use crate::{Complementarity, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
+use crate::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 const FORCED: Vertical = Vertical::Force(1.0);
 
@@ -19,15 +19,6 @@ fn problem(
 
 fn expression(law: [f64; 2], profile: &str, moment: f64) -> Problem {
     problem(law, Profile::expression(profile).unwrap(), FORCED, Rotational::Moment(moment))
-}
-
-/// A trace with waves of many lengths.
-fn trace(points: i32, theta0: f64) -> Profile {
-    let positions = (0..points).map(|i| 2.0 * f64::from(i) / f64::from(points - 1) - 1.0);
-    let wave = |x: f64, k: f64| k.powf(-1.5) * (3.1 * k * x + k * k).sin();
-    let waves = |x: f64| (1..=60).map(|k| wave(x, f64::from(k))).sum::<f64>();
-    let height = |x: f64| 2.0 * (1.0 + theta0) * (0.3 * x * x + 0.3 * waves(x));
-    Profile::from_points(positions.clone().collect(), positions.map(height).collect()).unwrap()
 }
 
 fn base(problem: &Problem) -> Base {
@@ -130,48 +121,4 @@ fn collocation_agrees_at_corners_and_steps() {
     assert_eq!(agrees([30.0, 1.0], &flat), Some(1));
     let step = expression([3.0, 1.0], "xi^2 + where(xi > 0.3, 8, 0)", -0.1);
     assert!(agrees([3.0, 1.0], &step).is_some());
-}
-
-#[test]
-fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
-    let problem = problem([8.0, 1.0], trace(1000, 8.0), FORCED, Rotational::Moment(0.2));
-    let found = panels(&problem);
-    let Complementarity { tension, penetration } = found.complementarity().unwrap();
-    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
-    let zones = found.zones();
-    let inside = 0.6 * zones[3][0] + 0.4 * zones[3][1];
-    let beside = 0.3 * zones[3][1] + 0.7 * zones[4][0];
-    let joints = problem.profile().joints(1.0);
-    let (mut force, mut moment, mut displaced) = (0.0, 0.0, [0.0, 0.0]);
-    for [left, right] in zones {
-        let mut cuts: Vec<f64> = joints.iter().copied().chain([inside]).collect();
-        cuts.retain(|at| *at > left && *at < right);
-        cuts.extend([left, right]);
-        cuts.sort_by(f64::total_cmp);
-        for pair in cuts.windows(2) {
-            let half = 0.5 * (pair[1] - pair[0]);
-            for node in fredholm::quadrature::double_exponential(14) {
-                // The distance from a place that is a cut is exact.
-                let [from_left, from_right] = [half * node.from_left, half * node.from_right];
-                let is_near = from_left < from_right;
-                let s = if is_near { pair[0] + from_left } else { pair[1] - from_right };
-                let part = half * node.weight * found.pressure(s);
-                force += part;
-                moment += s * part;
-                for (sum, x) in displaced.iter_mut().zip([inside, beside]) {
-                    let distance = match (pair[0] == x, pair[1] == x) {
-                        (true, _) => from_left,
-                        (_, true) => from_right,
-                        _ => (x - s).abs(),
-                    };
-                    *sum -= 8.0 * part * distance.ln();
-                }
-            }
-        }
-    }
-    assert_within("force", force, 1.0, 1e-11);
-    assert_within("moment", moment, 0.2, 1e-11);
-    for (sum, x) in displaced.into_iter().zip([inside, beside]) {
-        assert_within("displacement", sum, found.displacement(x), 1e-10 * size(&found, 1.0));
-    }
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use fredholm::multipole::PanelOperator;
 
 use super::mesh::STRAIGHT;
-use super::nodes::{Effort, OnPanels, PanelNodes, cut};
+use super::nodes::{Effort, OnPanels, PanelInverse, PanelNodes, cut};
 use crate::Error;
 use crate::contact::check::{BETWEEN, Check};
 use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
@@ -41,6 +41,20 @@ const STEEP: [usize; 3] = [0, 3, 4];
 const ALL: [usize; LADDER.len()] = [0, 1, 2, 3, 4];
 
 type OnZones = Solved<OnPanels>;
+
+/// A solution with what its responses take.
+struct Agreeing<'b> {
+    solved: OnZones,
+    nodes: PanelNodes<'b>,
+    inverse: PanelInverse,
+}
+
+impl Agreeing<'_> {
+    fn answering(self, near: Option<&OnZones>) -> Result<OnZones, Error> {
+        self.solved.answering(&self.nodes, &self.inverse, near)
+    }
+}
+
 /// Places of a piece of the base from end to end, with the heights there.
 type Places = Vec<Point>;
 
@@ -79,15 +93,14 @@ impl<'b> ManyPanels<'b> {
 
     /// The answer from zones that are nearly right. A gap that is about to close is so narrow, and what would pull there so little, that coarse panels do not tell: then the answer shows where to look.
     fn solve(&mut self, zones: Vec<Zone>) -> Result<(OnZones, Check), Error> {
-        let (mut best, mut left) = self.answered(self.settled(zones, 0, None)?)?;
+        let (mut best, mut left) = self.answered(zones, None)?;
         for _ in 0..CORRECTIONS {
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
             }
             self.add_places(&best, &left);
             let zones = self.next_zones(&best);
-            let next = self.settled(zones, 0, Some(&best)).and_then(|next| self.answered(next));
-            match next {
+            match self.answered(zones, Some(&best)) {
                 // What more places do not lower is rounding.
                 Ok((solved, rest)) if rest.violation() <= 0.5 * left.violation() => {
                     (best, left) = (solved, rest);
@@ -98,16 +111,22 @@ impl<'b> ManyPanels<'b> {
         Ok((best, left))
     }
 
-    /// The answer from one on coarse panels, and what is left of tension and penetration.
-    fn answered(&mut self, mut coarse: OnZones) -> Result<(OnZones, Check), Error> {
+    /// The answer from zones that are nearly right, and what is left of tension and penetration.
+    fn answered(
+        &mut self,
+        zones: Vec<Zone>,
+        near: Option<&OnZones>,
+    ) -> Result<(OnZones, Check), Error> {
+        let mut found = self.agreeing(zones, 0, near)?;
         for _ in 0..CORRECTIONS {
-            let left = self.left(&coarse, COARSELY_ALLOWED);
+            let left = self.left(&found.solved, COARSELY_ALLOWED);
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
             }
-            self.add_places(&coarse, &left);
-            coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
+            self.add_places(&found.solved, &left);
+            found = self.agreeing(self.next_zones(&found.solved), 0, Some(&found.solved))?;
         }
+        let coarse = found.answering(near)?;
         let fits = |solved: &OnZones, rung: usize| {
             cut(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness).is_ok()
         };
@@ -166,10 +185,20 @@ impl<'b> ManyPanels<'b> {
     /// The solution on zones that agree with their own pressure, with responses.
     fn settled(
         &self,
-        mut zones: Vec<Zone>,
+        zones: Vec<Zone>,
         rung: usize,
         near: Option<&OnZones>,
     ) -> Result<OnZones, Error> {
+        self.agreeing(zones, rung, near)?.answering(near)
+    }
+
+    /// The solution on zones that agree with their own pressure, and what its responses take.
+    fn agreeing(
+        &self,
+        mut zones: Vec<Zone>,
+        rung: usize,
+        near: Option<&OnZones>,
+    ) -> Result<Agreeing<'b>, Error> {
         let (base, effort) = (self.base, LADDER[rung]);
         let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);
         for _ in 0..ROUNDS {
@@ -197,7 +226,7 @@ impl<'b> ManyPanels<'b> {
             if base.problem().deadline().is_spent() {
                 break;
             }
-            return solved.answering(&nodes, &inverse, near);
+            return Ok(Agreeing { solved, nodes, inverse });
         }
         Err(unknown())
     }
