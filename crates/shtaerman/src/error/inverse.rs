@@ -1,6 +1,10 @@
 //! Why an inverse problem has no answer.
 
-use crate::quantity::{Dimension, engineering};
+use crate::quantity::{Dimension, engineering, engineering_with_digits};
+
+/// Digits in which values are told, and in which none is lost.
+const FEWEST_DIGITS: usize = 6;
+const MOST_DIGITS: usize = 17;
 
 /// Why an inverse problem has no answer; values are in the units of the problem, `dimension` is for messages.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -106,7 +110,13 @@ fn no_such_value(
     [least, most]: [f64; 2],
     unit: Dimension,
 ) -> String {
-    let shown = |value| engineering(value, unit);
+    // As many digits as tell what is wanted from what there is.
+    let with = |digits: usize| move |value: f64| engineering_with_digits(value, unit, digits);
+    let tells = |digits: &usize| {
+        let shown = with(*digits);
+        [least, most].iter().all(|end| *end == wanted || shown(*end) != shown(wanted))
+    };
+    let shown = with((FEWEST_DIGITS..MOST_DIGITS).find(tells).unwrap_or(MOST_DIGITS));
     let is_one = least == most || most - least <= 1e-12 * most.abs();
     if is_one && (wanted - least).abs() <= 1e-12 * wanted.abs() {
         return format!(

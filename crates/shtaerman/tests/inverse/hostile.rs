@@ -1,7 +1,10 @@
 //! Extreme wishes end in an answer or in words, never in a panic or a wrong number.
 
 use crate::inverse::support::{load, physical, unilateral};
-use shtaerman::inverse::{Goal, Normalisation, crown, force, prescribed_pressure, roughness};
+use shtaerman::Error;
+use shtaerman::inverse::{
+    Goal, InverseError, Normalisation, crown, force, prescribed_pressure, roughness,
+};
 
 const EXTREMES: [f64; 5] = [-1e300, 0.0, f64::MIN_POSITIVE, 1.0, f64::MAX];
 
@@ -67,4 +70,22 @@ fn hostile_pressures() {
             Err(error) => assert!(!error.to_string().is_empty()),
         }
     }
+}
+
+/// What lies beyond the end of a range by less than six digits show is told with as many digits as it takes: "no roughness gives 3.5 mm: it can be from 3.5 mm" denied itself.
+#[test]
+fn a_wish_just_beyond_a_range_is_told_from_its_end() {
+    let problem = physical(200e9, 1e-14, 5e-3, "x^2/(2*2)", load(2e5, 0.0));
+    let Err(Error::Inverse(InverseError::NoSuchValue { least, .. })) =
+        roughness(&problem, Goal::ContactWidth(1e-3))
+    else {
+        panic!("no such width")
+    };
+    let wanted = least * (1.0 - 1e-9);
+    let message = roughness(&problem, Goal::ContactWidth(wanted)).unwrap_err().to_string();
+    let (said, range) = message.split_once(": it can be from ").unwrap();
+    let (_, said) = said.split_once("contact width of ").unwrap();
+    let (from, _) = range.split_once(" to ").unwrap();
+    assert_ne!(said, from, "{message}");
+    assert_eq!(said.get(..6), from.get(..6), "{message}");
 }
