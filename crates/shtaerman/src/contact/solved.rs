@@ -374,9 +374,12 @@ impl Contact {
         self.record.without_roughness.get_or_init(solve).as_deref()
     }
 
-    /// Takes the errors of an audit in place of those that the method states.
+    /// Takes the errors of an audit in place of those that the method states. What it bounds between all places has not to be proved of the profile as well.
     pub(crate) fn set_audit(&mut self, audit: Result<Audit, Unaudited>) {
-        self.record_mut().audit = Some(audit);
+        let unproved = Warning::profile_not_proved(audit.is_ok());
+        let record = self.record_mut();
+        record.warnings.retain(|warning| Some(warning) != unproved.as_ref());
+        record.audit = Some(audit);
     }
 
     /// Holds the audited errors against the tolerance; without one, against what is aimed at.
