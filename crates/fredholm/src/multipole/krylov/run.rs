@@ -83,12 +83,12 @@ impl<'r> Run<'r> {
         match std::mem::replace(&mut self.step, Step::Done) {
             Step::Start => {
                 self.potential = potential;
+                let residual = self.first_residual();
                 // The first step meets the conditions, later ones keep them.
                 let conditions = self.border.conditions.iter();
                 let missing: Vec<f64> = conditions
                     .map(|c| c.value - self.equation.carried(&c.row, &self.values))
                     .collect();
-                let residual = self.residual();
                 self.go(&residual, &missing);
             }
             Step::Values => {
@@ -99,6 +99,19 @@ impl<'r> Run<'r> {
             Step::Done => {}
         }
         Ok(())
+    }
+
+    /// The residual of the start, or of nothing where that leaves less: the right-hand side may be nothing itself.
+    fn first_residual(&mut self) -> Vec<f64> {
+        let residual = self.residual();
+        let square = |list: &[f64]| self.equation.product(list, list);
+        // Of a start with conditions their columns take away most.
+        if !self.border.conditions.is_empty() || square(&residual) <= square(self.right) {
+            return residual;
+        }
+        self.values.fill(0.0);
+        self.potential.fill(0.0);
+        self.right.to_vec()
     }
 
     fn residual(&self) -> Vec<f64> {
