@@ -158,8 +158,7 @@ pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Lineari
         errors
     });
     let rates = last.map(|[rates, _]| rates);
-    let errors = with_that_of_displacements(&rates, errors);
-    Some(Linearised { rates, errors })
+    Some(Linearised { errors: with_that_of_displacements(&rates, errors), rates })
 }
 
 /// The pressure at one place may agree by chance as well: it is known to no smaller a share than displacements and force, of which one is no part of the load.

@@ -1,38 +1,17 @@
 //! Both discretisations against each other, and panels against what must hold.
 
 use super::*;
-use crate::contact::balance::State;
 use crate::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
-const FORCED: Vertical = Vertical::Force(1.0);
-
-fn problem(
-    [theta0, exponent]: [f64; 2],
-    profile: Profile,
-    vertical: Vertical,
-    rotational: Rotational,
-) -> Problem {
+fn problem([theta0, exponent]: [f64; 2], profile: &str, rotational: Rotational) -> Problem {
     let foundation = Foundation::dimensionless(theta0).unwrap().with_exponent(exponent).unwrap();
-    let punch = Punch::new(1.0).unwrap().with_profile(profile);
-    Problem::new(foundation, punch, Load::new(vertical, rotational).unwrap()).unwrap()
-}
-
-fn expression(law: [f64; 2], profile: &str, moment: f64) -> Problem {
-    problem(law, Profile::expression(profile).unwrap(), FORCED, Rotational::Moment(moment))
+    let punch = Punch::new(1.0).unwrap().with_profile(Profile::expression(profile).unwrap());
+    let load = Load::new(Vertical::Force(1.0), rotational).unwrap();
+    Problem::new(foundation, punch, load).unwrap()
 }
 
 fn base(problem: &Problem) -> Base {
     Base::new(&Setting::new(problem), ContactKind::Unilateral).unwrap()
-}
-
-fn panels(problem: &Problem) -> RoughContact<OnPanels> {
-    on_panels(&base(problem)).unwrap()
-}
-
-/// What is added up in a displacement.
-fn size(contact: &dyn Solution, exponent: f64) -> f64 {
-    let State { settlement, tilt, .. } = contact.state();
-    contact.size().powf(exponent) + settlement.abs() + tilt.abs()
 }
 
 fn assert_within(name: &str, a: f64, b: f64, most: f64) {
@@ -41,12 +20,13 @@ fn assert_within(name: &str, a: f64, b: f64, most: f64) {
 
 /// Compares with collocation, where that finds the zones: within small bounds, and within what both state. The number of zones.
 fn agrees(law: [f64; 2], problem: &Problem) -> Option<usize> {
-    let found = panels(problem);
+    let found = on_panels(&base(problem)).unwrap();
     let exact = Way::Collocation(Effort::MOST).solve(&base(problem)).ok()?;
-    let size = size(&found, law[1]);
     let errors = [found.accuracy().unwrap(), exact.accuracy().unwrap()];
     let stated = |of: fn(&crate::contact::Accuracy) -> f64| of(errors[0]) + of(errors[1]);
     let (one, other) = (found.state(), exact.state());
+    // What is added up in a displacement.
+    let size = found.size().powf(law[1]) + one.settlement.abs() + one.tilt.abs();
     for (a, b, stated) in [
         (one.settlement, other.settlement, stated(|error| error.settlement)),
         (one.tilt, other.tilt, stated(|error| error.tilt)),
@@ -96,7 +76,7 @@ fn a_layer_that_bends_agrees_with_collocation() {
         (1.0, 0.4, "0.1*xi^2", 0.1, 1),
     ] {
         let law = [theta0, exponent];
-        let found = agrees(law, &expression(law, profile, moment));
+        let found = agrees(law, &problem(law, profile, Rotational::Moment(moment)));
         assert_eq!(found, Some(zones), "{theta0} {exponent} {profile}");
     }
 }
@@ -108,7 +88,7 @@ fn collocation_agrees_in_several_zones() {
     let count = |(theta0, waves): (f64, i32)| {
         let size = 2.0 * (1.0 + theta0);
         let profile = format!("{size}*(0.4*xi^2 + 0.1*cos({waves}*xi + 0.4))");
-        agrees([theta0, 1.0], &expression([theta0, 1.0], &profile, 0.1))
+        agrees([theta0, 1.0], &problem([theta0, 1.0], &profile, Rotational::Moment(0.1)))
     };
     // Collocation does not find all zones of all of these.
     let counts: Vec<usize> = waves.into_iter().chain(steeper).filter_map(count).collect();
@@ -117,8 +97,9 @@ fn collocation_agrees_in_several_zones() {
 
 #[test]
 fn collocation_agrees_at_corners_and_steps() {
-    let flat = problem([30.0, 1.0], Profile::flat(), FORCED, Rotational::Eccentricity(0.6));
+    let flat = problem([30.0, 1.0], "0", Rotational::Eccentricity(0.6));
     assert_eq!(agrees([30.0, 1.0], &flat), Some(1));
-    let step = expression([3.0, 1.0], "xi^2 + where(xi > 0.3, 8, 0)", -0.1);
+    let profile = "xi^2 + where(xi > 0.3, 8, 0)";
+    let step = problem([3.0, 1.0], profile, Rotational::Moment(-0.1));
     assert!(agrees([3.0, 1.0], &step).is_some());
 }

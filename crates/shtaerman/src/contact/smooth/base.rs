@@ -226,6 +226,11 @@ impl Base {
         if self.shift == 0.0 { xi } else { wrapped(xi + self.shift) }
     }
 
+    /// How large the numbers are with which a place is told, whose rounding it has: seen from elsewhere it may be near nothing.
+    pub(super) fn distance(&self, xi: f64) -> f64 {
+        xi.abs().max(self.own(xi).abs())
+    }
+
     /// Where a place of the base lies among the zones: on a disk its distance from the axis.
     pub(super) fn located(&self, xi: f64) -> f64 {
         match self.setting.problem().bodies().geometry().scaled(self.half_width()) {

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use super::equation::FirstKind;
 use super::pressure::{Known, Pressure, at_angle};
+use crate::Vertical;
 use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING, SAFETY};
 use crate::contact::balance::State;
 
@@ -31,7 +32,16 @@ pub(super) fn estimate<F: FirstKind>(
     let state = solved.state();
     let (level, is_disk) = (solved.change(1.0, 0.0), equation.base().ground.is_disk());
     let (mut pressure, mut edge, mut moved) = (0.0f64, 0.0f64, 0.0);
+    let around = |at: f64| if is_disk { 2.0 * PI * at } else { 1.0 };
     for (j, zone) in zones.iter().enumerate() {
+        // A corner is where its place was rounded to; a pressure beyond all numbers is told by itself.
+        for side in [0, 1].into_iter().filter(|side| !zone.is_free(*side)) {
+            let [own, of_level] = [solved, &level].map(|of| of.density(j, side).value);
+            let strength = around(zone.ends[side]) * solved.intensity(j, side).powi(2);
+            let off = f64::EPSILON * equation.base().distance(zone.ends[side]);
+            let carried = Some(off * (strength * own * of_level).abs());
+            moved += carried.filter(|carried| carried.is_finite()).unwrap_or(0.0);
+        }
         let Known { density: rounding, pressure: own } = solved.known(j, largest);
         let along = |of: &F::Solved, angle: f64| of.regular(j, at_angle(zone, angle));
         let changed = difference(
@@ -51,9 +61,9 @@ pub(super) fn estimate<F: FirstKind>(
             let density =
                 here.value.abs() + (here.value - there).abs() + rounding + shared + raised;
             left = left.max(here.value.abs() * solved.singular(j, side));
-            edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
-            let around = if is_disk { 2.0 * PI * at } else { 1.0 };
-            let strength = around * (solved.intensity(j, side) * density).powi(2);
+            edge = edge
+                .max((density / here.fall).abs() + 0.5 * ROUNDING * equation.base().distance(at));
+            let strength = around(at) * (solved.intensity(j, side) * density).powi(2);
             moved += (strength * of_level / here.fall).abs().max(0.0); // 0/0 where nothing is left.
         }
         pressure = pressure.max(changed + own + left);
@@ -64,18 +74,23 @@ pub(super) fn estimate<F: FirstKind>(
     };
     let [level, turn] = solved.displacement_rounding();
     let stiffness = solved.stiffness();
-    let forced = stiffness.force_settlement * level + stiffness.moment_tilt * turn;
+    // A depth that is off moves a force that is given to no other place, and about it a turn carries none.
+    let lever = (stiffness.coupling / stiffness.force_settlement).abs();
+    let about = (stiffness.moment_tilt - lever * stiffness.coupling.abs()).max(0.0) * turn;
+    let raised = stiffness.force_settlement * level;
+    let is_forced = matches!(equation.base().load.vertical, Vertical::Force(_));
+    let off_centre = if is_forced { 0.0 } else { lever * raised };
     let rounded = ROUNDING * state.settlement.abs().max(state.tilt.abs());
     // A disk is tilted by its moment alone.
-    let turned = if is_disk { 0.0 } else { rounded };
-    let carried = forced + ROUNDING * state.force.abs().max(state.moment.abs());
+    let tilted = if is_disk { 0.0 } else { rounded };
+    let carried = about + ROUNDING * state.force.abs().max(state.moment.abs());
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure,
         settlement: change(|state| state.settlement) + level + rounded,
-        tilt: change(|state| state.tilt) + turn + turned,
-        force: change(|state| state.force) + carried,
-        moment: change(|state| state.moment) + carried,
+        tilt: change(|state| state.tilt) + turn + tilted,
+        force: change(|state| state.force) + raised + carried,
+        moment: change(|state| state.moment) + off_centre + carried,
     };
     let moved = MOVED * equation.base().setting.theta0() * moved / stiffness.force_settlement.abs();
     (accuracy.with_left(moved, &stiffness), edge)

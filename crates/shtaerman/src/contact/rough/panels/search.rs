@@ -41,18 +41,14 @@ const STEEP: [usize; 3] = [0, 3, 4];
 const ALL: [usize; LADDER.len()] = [0, 1, 2, 3, 4];
 
 type OnZones = Solved<OnPanels>;
+/// A solution nearby.
+type Near<'n> = Option<&'n OnZones>;
 
 /// A solution with what its responses take.
 struct Agreeing<'b> {
     solved: OnZones,
     nodes: PanelNodes<'b>,
     inverse: PanelInverse,
-}
-
-impl Agreeing<'_> {
-    fn answering(self, near: Option<&OnZones>) -> Result<OnZones, Error> {
-        self.solved.answering(&self.nodes, &self.inverse, near)
-    }
 }
 
 /// Places of a piece of the base from end to end, with the heights there.
@@ -112,11 +108,7 @@ impl<'b> ManyPanels<'b> {
     }
 
     /// The answer from zones that are nearly right, and what is left of tension and penetration.
-    fn answered(
-        &mut self,
-        zones: Vec<Zone>,
-        near: Option<&OnZones>,
-    ) -> Result<(OnZones, Check), Error> {
+    fn answered(&mut self, zones: Vec<Zone>, near: Near<'_>) -> Result<(OnZones, Check), Error> {
         let mut found = self.agreeing(zones, 0, near)?;
         for _ in 0..CORRECTIONS {
             let left = self.left(&found.solved, COARSELY_ALLOWED);
@@ -126,7 +118,7 @@ impl<'b> ManyPanels<'b> {
             self.add_places(&found.solved, &left);
             found = self.agreeing(self.next_zones(&found.solved), 0, Some(&found.solved))?;
         }
-        let coarse = found.answering(near)?;
+        let coarse = found.solved.answering(&found.nodes, &found.inverse, near)?;
         let fits = |solved: &OnZones, rung: usize| {
             cut(self.base, &self.joints, &solved.nodes.zones, LADDER[rung].fineness).is_ok()
         };
@@ -183,13 +175,9 @@ impl<'b> ManyPanels<'b> {
     }
 
     /// The solution on zones that agree with their own pressure, with responses.
-    fn settled(
-        &self,
-        zones: Vec<Zone>,
-        rung: usize,
-        near: Option<&OnZones>,
-    ) -> Result<OnZones, Error> {
-        self.agreeing(zones, rung, near)?.answering(near)
+    fn settled(&self, zones: Vec<Zone>, rung: usize, near: Near<'_>) -> Result<OnZones, Error> {
+        let found = self.agreeing(zones, rung, near)?;
+        found.solved.answering(&found.nodes, &found.inverse, near)
     }
 
     /// The solution on zones that agree with their own pressure, and what its responses take.
@@ -197,7 +185,7 @@ impl<'b> ManyPanels<'b> {
         &self,
         mut zones: Vec<Zone>,
         rung: usize,
-        near: Option<&OnZones>,
+        near: Near<'_>,
     ) -> Result<Agreeing<'b>, Error> {
         let (base, effort) = (self.base, LADDER[rung]);
         let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);

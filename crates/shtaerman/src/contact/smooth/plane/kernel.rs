@@ -1,6 +1,6 @@
 //! The kernels of a half-plane under one punch, a pair, or a row.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
 
 /// The kernel `ln 1/|d|`, or `ln 1/(2 sin(pi |d|/L))` of what repeats with a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +15,13 @@ impl Kernel {
         let period = self.period.unwrap_or(0.0);
         let images: &[f64] = if self.period.is_some() { &[0.0, -1.0, 1.0] } else { &[0.0] };
         images.iter().map(move |m| m * period)
+    }
+
+    /// The sum of the logarithms whose sum is the potential of a zone of this half-length: in a row whose gaps close they cancel.
+    pub(super) fn size(self, half: f64) -> f64 {
+        let own = (LN_2 - half.ln()).abs();
+        let of_row = |period: f64| 2.0 * (own + (2.0 * PI).ln()) + 5.0 * period.ln();
+        own + self.period.map_or(0.0, of_row)
     }
 
     /// What these leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.

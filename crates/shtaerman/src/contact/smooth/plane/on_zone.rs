@@ -56,7 +56,7 @@ impl<'b> OnZone<'b> {
     }
 
     fn farthest(&self) -> f64 {
-        self.zone.left().abs().max(self.zone.right().abs())
+        self.zone.ends.iter().fold(0.0, |most, end| self.base.distance(*end).max(most))
     }
 }
 

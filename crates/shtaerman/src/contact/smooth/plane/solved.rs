@@ -17,6 +17,7 @@ use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
 use crate::contact::stiffness::{Stiffness, require_solved};
 use crate::contact::zones::Zone;
+use crate::rounding::OF_A_VALUE;
 
 /// Below so many roundings of the scale, and one for each that a rounding of the displacement counts, a density is none where slopes are known: at an end it is no better known.
 const NONE: f64 = 8.0;
@@ -27,6 +28,8 @@ pub(in super::super) struct Solved {
     pub(super) parts: Vec<Part>,
     kernel: Kernel,
     pub(super) theta0: f64,
+    /// From where a wave is seen.
+    shift: f64,
     state: State,
     stiffness: Stiffness,
     /// The middle of the zones, and the modes of the densities that displace all of them by 1 and by `xi - middle`.
@@ -77,7 +80,8 @@ impl Solved {
             .collect();
         let stiffness = balance.about_base();
         let (zones, flat) = (zones.to_vec(), Arc::new([level, tilted]));
-        Ok(Self { zones, parts, kernel, theta0, state, stiffness, middle, flat })
+        let shift = base.shift;
+        Ok(Self { zones, parts, kernel, theta0, shift, state, stiffness, middle, flat })
     }
 
     /// The slopes that are equally spaced samples of known ones, with the mean slopes.
@@ -165,17 +169,22 @@ impl Pressure for Solved {
     }
 
     fn known(&self, zone: usize, _largest: f64) -> Known {
-        let pressure =
-            self.rounding(zone, Conjugate::error) / (self.theta0 * self.parts[zone].half());
-        Known { density: self.rounding(zone, Conjugate::end_error), pressure }
+        let part = &self.parts[zone];
+        // A place of a wave is rounded where it is moved, and in the formula.
+        let remote = 2.0 * self.shift.abs() / part.half();
+        let [own, of_end] = [part.slope.error(), part.slope.end_error()]
+            .map(|slope| part.rounding(self.condition() + remote, slope));
+        Known { density: of_end, pressure: own / (self.theta0 * part.half()) }
     }
 
-    /// Errors of `f_0`, and of `f_1` over half a zone.
+    /// Errors of `f_0`, with the rounding of the logarithms that are added up in it, and of `f_1` over half a zone.
     fn displacement_rounding(&self) -> [f64; 2] {
-        self.parts.iter().zip(&self.zones).fold([0.0f64; 2], |[level, turn], (part, zone)| {
+        let logarithms = |part: &Part| part.force().abs() * self.kernel.size(part.half());
+        let added = OF_A_VALUE * self.parts.iter().map(logarithms).sum::<f64>();
+        self.parts.iter().zip(&self.zones).fold([added, 0.0], |[level, turn], (part, zone)| {
             let own = part.slope.mode_error();
             let tilt = own / part.half();
-            [level.max(own + tilt * zone.middle().abs()), turn.max(tilt)]
+            [level.max(added + own + tilt * zone.middle().abs()), turn.max(tilt)]
         })
     }
 

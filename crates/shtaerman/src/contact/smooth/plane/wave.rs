@@ -48,7 +48,7 @@ pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Err
     if let Vertical::Settlement(settlement) = base.load.vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let is_partial = base.setting.is_unilateral() && settlement < full.settlement();
-        require(is_partial, "settlement", settlement, requirement)?;
+        require(is_partial, "settlement", unit * settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
         return sunk(partial()?, first, settlement, -2.0 * least);
     }
