@@ -230,11 +230,8 @@ impl Contact {
         if posed.exponent() < SHARP || bound.pressure <= ROUGHEST * largest {
             return Ok((bound, posed.is_bound()));
         }
-        match posed {
-            _ if mean_square < IN_THE_MEAN => Err(Unaudited::InTheMeanOnly { mean_square }),
-            Posed::Disk(_, 1.0) => Err(Unaudited::TOO_SHARP),
-            _ => Ok((bound, posed.is_bound())),
-        }
+        let in_the_mean = Unaudited::InTheMeanOnly { mean_square };
+        Err(if mean_square < IN_THE_MEAN { in_the_mean } else { Unaudited::TOO_SHARP })
     }
 
     /// The tangent stiffness without dimensions. Of a wave, which is infinitely stiff against tilt, nothing follows from the coupling.
@@ -281,7 +278,7 @@ impl Contact {
     /// The answer with the errors of its [audit](Contact::audit) in place of those its method states, where the theorem covers it; otherwise as it is, with the reason kept.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] where the audited error is above an explicit tolerance, [`Error::NotAccurate`] where it is above 1 % and neither a tolerance nor a degree was
+    /// [`Error::ToleranceNotMet`] where the audited error is above an explicit tolerance, [`Error::NotBounded`] where it is above 1 % and neither a tolerance nor a degree was
     /// given, [`Error::AuditFailed`] where the pressure does not carry the load or no finite bound was found,
     /// [`Error::Overflow`] where the pressure leaves the range of double precision.
     pub fn audited(mut self) -> Result<Self, Error> {
@@ -302,7 +299,8 @@ impl Contact {
             Ok(_) | Err(_) => {}
         }
         self.set_audit(audit);
-        self.require_tolerance()?;
+        let kept = self.require_tolerance();
+        kept.map_err(|error| error.of_audit(self.solution().relative_error()))?;
         Ok(self)
     }
 }

@@ -30,7 +30,7 @@ impl Unaudited {
     /// A wave on a power law under a settlement: its force is bounded by nothing.
     pub(super) const NOT_ESTIMATED: Self =
         Self::NotCovered("the residual says nothing of its errors: the estimate is not finite");
-    /// A disk with a linear layer on ground graded to [`SHARP`](super::ground::SHARP).
+    /// What is unknown on ground graded to [`SHARP`](super::ground::SHARP).
     pub(super) const TOO_SHARP: Self = Self::NotCovered(
         "beside corners of the pressure on graded ground with an exponent from 1/2 on the residual tells it to no hundredth of its largest value",
     );

@@ -247,7 +247,7 @@ pub enum Error {
     /// An answer with an error that nobody asked for.
     #[error(
         "the {method} method with n = {n} reached {}, and answers beyond {most:e} are none unless that is asked for: \
-         allow more by `tolerance`, resolve what the profile shows by fewer kinks, steps or measured points, or, if it is the audit that bounds no less, do without it (`--no-audit`, `audit=False`){}", relative(*reached), or_roughness(*roughness)
+         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points{}", relative(*reached), or_roughness(*roughness)
     )]
     NotAccurate {
         /// The relative error reached.
@@ -260,6 +260,24 @@ pub enum Error {
         n: usize,
         /// A roughness in place of 0 that may serve.
         roughness: Option<f64>,
+    },
+
+    /// An answer of whose error its audit bounds no less than nobody asked for.
+    #[error(
+        "the audit knows no more than {}, and answers beyond {most:e} are none unless that is asked for; the {method} method with n = {n} itself states {}: \
+         do without the audit (`--no-audit`, `audit=False`), or allow more by `tolerance`", relative(*reached), relative(*stated)
+    )]
+    NotBounded {
+        /// The relative error that the audit bounds or estimates.
+        reached: f64,
+        /// The largest that needs no permission.
+        most: f64,
+        /// The relative error that the method states.
+        stated: f64,
+        /// The method.
+        method: &'static str,
+        /// Its size.
+        n: usize,
     },
 
     /// A bend of the profile under a smooth surface that nothing tells the power of.

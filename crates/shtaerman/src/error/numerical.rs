@@ -12,6 +12,7 @@ impl Error {
                 | Self::NotComplementary { .. }
                 | Self::TooManyZones { .. }
                 | Self::NotAccurate { .. }
+                | Self::NotBounded { .. }
                 | Self::UnclearBend
                 | Self::AuditFailed { .. }
                 | Self::TimeLimit { .. }
@@ -38,5 +39,15 @@ impl Error {
                         | fredholm::Error::InSpectrum { .. }
                 )
         )
+    }
+
+    /// What an audit refused, where the method states a relative error of its own.
+    pub(crate) fn of_audit(self, stated: f64) -> Self {
+        match self {
+            Self::NotAccurate { reached, most, method, n, .. } => {
+                Self::NotBounded { reached, most, stated, method, n }
+            }
+            other => other,
+        }
     }
 }

@@ -255,5 +255,5 @@ fn a_jump_that_is_left_open_does_not_penetrate() {
     let off = (open.settlement() - known.settlement()).abs();
     assert!(off <= known.dimensionless().error().unwrap().settlement + 1e-12, "{off:e}");
     let refused = open.audited().unwrap_err();
-    assert!(matches!(refused, shtaerman::Error::NotAccurate { .. }), "{refused}");
+    assert!(matches!(refused, shtaerman::Error::NotBounded { .. }), "{refused}");
 }

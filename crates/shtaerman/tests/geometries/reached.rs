@@ -212,6 +212,16 @@ fn a_disk_on_strongly_graded_ground_stands_without_an_audit() {
     assert!(of_exponent(0.4).audited().unwrap().audited_by().unwrap().is_ok());
 }
 
+/// Nor of a layer that bends. The pressure at the right corner over `P/a` is that of another program, whose panels close in on it to `1e-26` of the half-width: 124.3298.
+#[test]
+fn a_layer_that_bends_on_strongly_graded_ground_stands_without_an_audit() {
+    let text = "[foundation]\ngrading_exponent = 0.682\ngrading_modulus = 1.78e8\npoisson_ratio = 0.214\nroughness = { coefficient = 2.0909e-10, exponent = 0.357 }\n[punch]\nhalf_width = 0.001364\nprofile = \"0\"\n[load]\nforce = 0.604\neccentricity = 0.000379192\n";
+    let contact = of_file(text).audited().unwrap();
+    let reason = contact.audited_by().unwrap().as_ref().unwrap_err().to_string();
+    assert!(reason.contains("no hundredth"), "{reason}");
+    assert_near(contact.pressure_right() * 0.001364 / 0.604, 124.3298, 2e-4);
+}
+
 /// A search without a limit of time ends by its work, at the same step on every machine; a limit of its own takes the place of that.
 #[test]
 fn a_long_search_ends_by_its_work() {
