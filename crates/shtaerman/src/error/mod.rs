@@ -289,7 +289,7 @@ pub enum Error {
 
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
     #[error(
-        "the zones of contact, or a zone and the next period's, come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
+        "the zones of contact (in a row those of neighbouring punches, too) come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
          without the gap they are one zone{}", or_roughness(*roughness)
     )]
     ZonesTooClose {
