@@ -282,7 +282,7 @@ fn a_pair_with_narrow_feet() {
 #[test]
 fn a_light_contact_off_the_middle() {
     let mut random = Random(87);
-    for _ in 0..60 {
+    for _ in 0..400 {
         let (centre, radius) = (random.between(-0.9, 0.9), random.between(5.0, 50.0));
         let half = 10f64.powf(random.between(-4.3, -1.5));
         // P = pi E* a^2/(4 R), 2/(pi E*) = 1
@@ -293,5 +293,12 @@ fn a_light_contact_off_the_middle() {
         let (off, stated) = ((contact.moment() - force * centre).abs(), contact.error().moment);
         assert!(off <= stated, "{centre} {half}: {off:e} {stated:e}");
         assert!(stated < 1e-4 * force, "{centre} {half}: {stated:e} {force:e}");
+        // p = E* a/(2 R)
+        let [zone] = contact.zones().try_into().unwrap();
+        let middle = zone.ends[0] + 0.5 * (zone.ends[1] - zone.ends[0]);
+        let off = (contact.pressure(middle) - half / (PI * radius)).abs();
+        assert!(off <= contact.error().pressure, "{centre} {half}: {off:e}");
+        let off = (zone.ends[1] - zone.ends[0] - 2.0 * half).abs();
+        assert!(off <= 2.0 * contact.zones_error(), "{centre} {half}: {off:e}");
     }
 }

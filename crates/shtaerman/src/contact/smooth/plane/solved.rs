@@ -170,8 +170,9 @@ impl Pressure for Solved {
 
     fn known(&self, zone: usize, _largest: f64) -> Known {
         let part = &self.parts[zone];
-        // A place of a wave is rounded where it is moved, and in the formula.
-        let remote = 2.0 * self.shift.abs() / part.half();
+        // A place is rounded in the formula as well, and one of a wave where it is moved.
+        let farthest = self.zones[zone].ends.iter().fold(0.0, |most: f64, end| most.max(end.abs()));
+        let remote = (2.0 * self.shift.abs() + farthest) / part.half();
         let [own, of_end] = [part.slope.error(), part.slope.end_error()]
             .map(|slope| part.rounding(self.condition() + remote, slope));
         Known { density: of_end, pressure: own / (self.theta0 * part.half()) }
