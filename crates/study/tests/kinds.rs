@@ -193,8 +193,7 @@ fn values_without_an_answer_are_cases_with_or_without_units() {
         "{ from = \"0 mm\", to = \"6 mm\", count = 3 }",
     ] {
         let study = read(&study(values)).unwrap();
-        let answered: Vec<bool> =
-            study.solve(0..3).iter().map(shtaerman_study::Row::is_answered).collect();
+        let answered: Vec<bool> = study.solve(0..3).iter().map(Row::is_answered).collect();
         assert_eq!(answered, [true, true, false], "{values}");
     }
     for (values, said) in
