@@ -227,11 +227,14 @@ impl Contact {
         let bound = found.map_err(Unaudited::Refused)?;
         let largest = self.peak().0.abs();
         let mean_square = bound.mean_square / largest;
-        if posed.exponent() < SHARP || bound.pressure <= ROUGHEST * largest {
-            return Ok((bound, posed.is_bound()));
-        }
+        let is_enough = posed.exponent() < SHARP || bound.pressure <= ROUGHEST * largest;
         let in_the_mean = Unaudited::InTheMeanOnly { mean_square };
-        Err(if mean_square < IN_THE_MEAN { in_the_mean } else { Unaudited::TOO_SHARP })
+        match posed {
+            _ if !is_enough && mean_square < IN_THE_MEAN => Err(in_the_mean),
+            // A linear layer in the plane has its mean bounded sharply: it is no better known.
+            Posed::Disk(..) | Posed::Plane(_, _, ..1.0) if !is_enough => Err(Unaudited::TOO_SHARP),
+            _ => Ok((bound, posed.is_bound())),
+        }
     }
 
     /// The tangent stiffness without dimensions. Of a wave, which is infinitely stiff against tilt, nothing follows from the coupling.

@@ -377,9 +377,8 @@ impl Contact {
     /// Takes the errors of an audit in place of those that the method states. What it bounds between all places has not to be proved of the profile as well.
     pub(crate) fn set_audit(&mut self, audit: Result<Audit, Unaudited>) {
         let unproved = Warning::profile_not_proved(audit.is_ok());
-        let record = self.record_mut();
-        record.warnings.retain(|warning| Some(warning) != unproved.as_ref());
-        record.audit = Some(audit);
+        self.record_mut().warnings.retain(|warning| Some(warning) != unproved.as_ref());
+        self.record_mut().audit = Some(audit);
     }
 
     /// Holds the audited errors against the tolerance; without one, against what is aimed at.

@@ -20,8 +20,7 @@ impl Kernel {
     /// The sum of the logarithms whose sum is the potential of a zone of this half-length: in a row whose gaps close they cancel.
     pub(super) fn size(self, half: f64) -> f64 {
         let own = (LN_2 - half.ln()).abs();
-        let of_row = |period: f64| 2.0 * (own + (2.0 * PI).ln()) + 5.0 * period.ln();
-        own + self.period.map_or(0.0, of_row)
+        own + self.period.map_or(0.0, |l| 2.0 * (own + (2.0 * PI).ln()) + 5.0 * l.ln())
     }
 
     /// What these leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.
