@@ -4,6 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::Error;
 use crate::error::{finite, require};
+use crate::line_search::top;
+
+/// Crests among samples of a base that are looked at closely: more than that are hardly alike.
+const CRESTS: usize = 16;
 
 /// The vertical half of the load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -238,5 +242,38 @@ impl Load {
                 least <= most
             }
         }
+    }
+
+    /// The same between the samples as well, which pass by contacts narrower than their distance; `height` is `f0` of the base, of these pieces.
+    pub(crate) fn is_clear(
+        &self,
+        mut samples: Vec<(f64, f64)>,
+        pieces: &[[f64; 2]],
+        height: &dyn Fn(f64) -> f64,
+    ) -> bool {
+        crate::order::sort_by_number(&mut samples, |one| one.0);
+        let (Vertical::Settlement(settlement), Rotational::Tilt(tilt)) =
+            (self.vertical, self.rotational)
+        else {
+            return self.keeps_clear(samples.iter());
+        };
+        let depth = |xi: f64, height: f64| settlement - tilt * xi - height;
+        let at = |k: usize| depth(samples[k].0, samples[k].1);
+        let mut crests: Vec<usize> = (0..samples.len())
+            .filter(|&k| {
+                let beside = [k.saturating_sub(1), (k + 1).min(samples.len() - 1)];
+                beside.into_iter().all(|other| at(other) <= at(k))
+            })
+            .collect();
+        crests.sort_by(|one, two| at(*two).total_cmp(&at(*one)));
+        crests.truncate(CRESTS);
+        !crests.into_iter().any(|k| {
+            let place = samples[k].0;
+            let piece = pieces.iter().find(|[left, right]| *left <= place && place <= *right);
+            let [from, to] = piece.copied().unwrap_or([place; 2]);
+            let left = samples[k.saturating_sub(1)].0.max(from);
+            let right = samples[(k + 1).min(samples.len() - 1)].0.min(to);
+            at(k) > 0.0 || top(&|xi| depth(xi, height(xi)), left, right).1 > 0.0
+        })
     }
 }

@@ -282,7 +282,7 @@ pub enum Error {
 
     /// A bend of the profile under a smooth surface that nothing tells the power of.
     #[error(
-        "no error of the pressure can be stated: the profile bends somewhere as several powers of the distance that nearly cancel there, or so near to an end of the contact, or on graded ground to its middle, \
+        "no error of the pressure can be stated: on other nodes there is no such contact (by the force instead of the settlement there may be), or the profile bends somewhere as several powers of the distance that nearly cancel there, or so near to an end of the contact, or on graded ground to its middle, \
          that nothing shows its power; one power at a place, a rounded bend such as sqrt(x^2 + r^2) for abs(x), or a small roughness instead of 0 leaves an answer"
     )]
     UnclearBend,

@@ -302,3 +302,18 @@ fn a_light_contact_off_the_middle() {
         assert!(off <= 2.0 * contact.zones_error(), "{centre} {half}: {off:e}");
     }
 }
+
+/// A contact narrower than the samples of the base lie apart, under a settlement: `P = pi E* b^2/(4 R)` by the force gives the settlement that leads there again. It was refused as touching nowhere.
+#[test]
+fn a_settlement_that_no_sample_reaches() {
+    for (centre, half) in [(0.1, 1e-4), (0.484, 3e-5), (-0.3337, 2e-4)] {
+        let height = move |x: f64| 0.5 * (x - centre).powi(2);
+        let formula = format!("(x - ({centre}))^2/2");
+        let force = 0.5 * half * half;
+        let forced = punch(1.0, height, level(force)).formula(&formula).solved();
+        let sunk = shtaerman::Load::settlement(forced.settlement()).unwrap().with_tilt(0.0);
+        let contact = punch(1.0, height, sunk.unwrap()).formula(&formula).solved();
+        let (off, stated) = ((contact.force() - force).abs(), contact.error().force);
+        assert!(off <= stated + forced.error().settlement, "{centre}: {off:e} {stated:e}");
+    }
+}

@@ -283,11 +283,9 @@ impl Base {
         let of = |piece: &[f64; 2]| between_breaks(&self.breaks, *piece);
         let places: Vec<f64> = self.pieces.iter().flat_map(of).collect();
         let heights = self.heights(&places)?;
-        let beside: Vec<(f64, f64)> = places.into_iter().zip(heights).collect();
-        if self.load.keeps_clear(self.samples.iter().chain(&beside)) {
-            return Err(Error::NoContact);
-        }
-        Ok(())
+        let samples = places.into_iter().zip(heights).chain(self.samples.iter().copied()).collect();
+        let is_clear = self.load.is_clear(samples, &self.pieces, &|xi| self.height(xi));
+        if is_clear { Err(Error::NoContact) } else { Ok(()) }
     }
 
     /// Where the base touches, to about a cell.

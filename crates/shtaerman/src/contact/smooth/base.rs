@@ -183,7 +183,8 @@ impl Base {
             few_waves(&ends, slopes, UNSEEN)
         };
         self.marks = self.pieces.iter().flat_map(marked).collect();
-        let is_clear = || self.load.keeps_clear(self.samples.iter().flatten());
+        let is_clear =
+            || self.load.is_clear(self.samples.concat(), &self.pieces, &|xi| self.height(xi));
         if self.setting.is_unilateral() && is_clear() { Err(Error::NoContact) } else { Ok(self) }
     }
 

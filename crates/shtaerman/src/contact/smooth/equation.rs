@@ -10,7 +10,7 @@ use super::topology;
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, SMALL, settle};
-use crate::contact::search::{COARSELY_ALLOWED, Equation, Start};
+use crate::contact::search::{COARSELY_ALLOWED, Equation, Start, unknown};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use crate::deadline::{Deadline, work};
@@ -40,7 +40,7 @@ pub(in crate::contact) trait FirstKind {
     /// The pressure on zones, from left to right.
     ///
     /// # Errors
-    /// [`Error::NoContact`] for no zones, [`Error::Equation`] where something is not finite, [`Error::ZonesTooClose`].
+    /// [`Error::NotComplementary`] for no zones, [`Error::Equation`] where something is not finite, [`Error::ZonesTooClose`].
     fn on_zones(&self, zones: &[Zone], detail: Detail) -> Result<Self::Solved, Error>;
 
     /// The same zones in another detail, or with less of each series, whose difference tells the error.
@@ -51,7 +51,7 @@ pub(in crate::contact) trait FirstKind {
 fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<F::Solved, Error> {
     let is_empty = |zone: &Zone| zone.length().is_nan() || zone.length() <= 0.0;
     if zones.is_empty() || zones.iter().any(is_empty) {
-        return Err(Error::NoContact);
+        return Err(unknown());
     }
     let solved = equation.on_zones(zones, detail)?;
     let (count, is_disk) = (solved.coupled() as f64, equation.base().ground.is_disk());

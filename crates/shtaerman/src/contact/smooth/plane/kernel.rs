@@ -17,10 +17,10 @@ impl Kernel {
         images.iter().map(move |m| m * period)
     }
 
-    /// The sum of the logarithms whose sum is the potential of a zone of this half-length: in a row whose gaps close they cancel.
-    pub(super) fn size(self, half: f64) -> f64 {
-        let own = (LN_2 - half.ln()).abs();
-        own + self.period.map_or(0.0, |l| 2.0 * (own + (2.0 * PI).ln()) + 5.0 * l.ln())
+    /// The sizes of the logarithms whose sum is the potential of a zone of this half-length with its images: in a row whose gaps close they cancel.
+    pub(super) fn images(self, half: f64) -> f64 {
+        self.period
+            .map_or(0.0, |l| 3.0 * ((LN_2 - half.ln()).abs() + (2.0 * PI).ln()) + 5.0 * l.ln())
     }
 
     /// What these leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.

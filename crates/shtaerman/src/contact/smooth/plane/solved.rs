@@ -13,6 +13,7 @@ use super::coupling::{carried, counts, coupled};
 use super::kernel::Kernel;
 use super::part::Part;
 use crate::Error;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
 use crate::contact::stiffness::{Stiffness, require_solved};
@@ -170,9 +171,9 @@ impl Pressure for Solved {
 
     fn known(&self, zone: usize, _largest: f64) -> Known {
         let part = &self.parts[zone];
-        // A place is rounded in the formula as well, and one of a wave where it is moved.
-        let farthest = self.zones[zone].ends.iter().fold(0.0, |most: f64, end| most.max(end.abs()));
-        let remote = (2.0 * self.shift.abs() + farthest) / part.half();
+        // Places are rounded, those of a wave also where they are moved, and logarithms of images, in all modes.
+        let places = self.zones[zone].rounding() + ROUNDING * self.shift.abs();
+        let remote = places / (OF_A_VALUE * part.half()) + self.kernel.images(part.half());
         let [own, of_end] = [part.slope.error(), part.slope.end_error()]
             .map(|slope| part.rounding(self.condition() + remote, slope));
         Known { density: of_end, pressure: own / (self.theta0 * part.half()) }
@@ -180,12 +181,12 @@ impl Pressure for Solved {
 
     /// Errors of `f_0`, with the rounding of the logarithms that are added up in it, and of `f_1` over half a zone.
     fn displacement_rounding(&self) -> [f64; 2] {
-        let logarithms = |part: &Part| part.force().abs() * self.kernel.size(part.half());
-        let added = OF_A_VALUE * self.parts.iter().map(logarithms).sum::<f64>();
-        self.parts.iter().zip(&self.zones).fold([added, 0.0], |[level, turn], (part, zone)| {
+        let images = |part: &Part| part.force().abs() * self.kernel.images(part.half());
+        let images = OF_A_VALUE * self.parts.iter().map(images).sum::<f64>();
+        self.parts.iter().zip(&self.zones).fold([images, 0.0], |[level, turn], (part, zone)| {
             let own = part.slope.mode_error();
-            let tilt = own / part.half();
-            [level.max(added + own + tilt * zone.middle().abs()), turn.max(tilt)]
+            let tilt = (own + images) / part.half();
+            [level.max(images + own + tilt * zone.middle().abs()), turn.max(tilt)]
         })
     }
 
