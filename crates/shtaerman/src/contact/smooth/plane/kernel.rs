@@ -1,6 +1,6 @@
 //! The kernels of a half-plane under one punch, a pair, or a row.
 
-use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, LN_2, PI, TAU};
 
 /// The kernel `ln 1/|d|`, or `ln 1/(2 sin(pi |d|/L))` of what repeats with a period.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,8 +19,7 @@ impl Kernel {
 
     /// The sizes of the logarithms whose sum is the potential of a zone of this half-length with its images: in a row whose gaps close they cancel.
     pub(super) fn images(self, half: f64) -> f64 {
-        self.period
-            .map_or(0.0, |l| 3.0 * ((LN_2 - half.ln()).abs() + (2.0 * PI).ln()) + 5.0 * l.ln())
+        self.period.map_or(0.0, |l| 3.0 * ((LN_2 - half.ln()).abs() + TAU.ln()) + 5.0 * l.ln())
     }
 
     /// What these leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.

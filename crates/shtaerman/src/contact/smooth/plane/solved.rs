@@ -171,11 +171,12 @@ impl Pressure for Solved {
 
     fn known(&self, zone: usize, _largest: f64) -> Known {
         let part = &self.parts[zone];
-        // Places are rounded, those of a wave also where they are moved, and logarithms of images, in all modes.
+        // Places are rounded, those of a wave also where they are moved, and logarithms of images, in all modes; the mean slope leaves its rounding.
         let places = self.zones[zone].rounding() + ROUNDING * self.shift.abs();
         let remote = places / (OF_A_VALUE * part.half()) + self.kernel.images(part.half());
+        let taken = OF_A_VALUE * part.lean.abs() * part.half();
         let [own, of_end] = [part.slope.error(), part.slope.end_error()]
-            .map(|slope| part.rounding(self.condition() + remote, slope));
+            .map(|slope| part.rounding(self.condition() + remote, slope + taken));
         Known { density: of_end, pressure: own / (self.theta0 * part.half()) }
     }
 
