@@ -251,12 +251,12 @@ impl Load {
         pieces: &[[f64; 2]],
         height: &dyn Fn(f64) -> f64,
     ) -> bool {
-        crate::order::sort_by_number(&mut samples, |one| one.0);
         let (Vertical::Settlement(settlement), Rotational::Tilt(tilt)) =
             (self.vertical, self.rotational)
         else {
             return self.keeps_clear(samples.iter());
         };
+        crate::order::sort_by_number(&mut samples, |one| one.0);
         let depth = |xi: f64, height: f64| settlement - tilt * xi - height;
         let at = |k: usize| depth(samples[k].0, samples[k].1);
         let mut crests: Vec<usize> = (0..samples.len())

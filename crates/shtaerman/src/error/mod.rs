@@ -262,7 +262,7 @@ pub enum Error {
         roughness: Option<f64>,
     },
 
-    /// An answer of whose error its audit bounds no less than nobody asked for.
+    /// An answer whose audit bounds its error by more than anybody asked for.
     #[error(
         "the audit knows no more than {}, and answers beyond {most:e} are none unless that is asked for; the {method} method with n = {n} itself states {}: \
          do without the audit (`--no-audit`, `audit=False`), or allow more by `tolerance`", relative(*reached), relative(*stated)
