@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::boxes::Part;
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::panels::Panels;
@@ -52,7 +53,7 @@ impl Deviations {
     ) -> Option<Self> {
         let count = part.len();
         let mut rows = vec![0.0; count * count];
-        near.fill(part.clone(), &[part.clone(), 0..0], &mut rows);
+        near.fill(part.clone(), &[Part { nodes: part.clone(), is_far: false }], &mut rows);
         if let Some(weight) = weight {
             for row in rows.chunks_exact_mut(count) {
                 row.iter_mut().zip(&weight[part.clone()]).for_each(|(entry, w)| *entry *= w);

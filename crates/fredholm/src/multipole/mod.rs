@@ -4,6 +4,7 @@
 //!
 //! For densities that bend at thousands of places, where [sinc collocation](crate::collocation) of a dense matrix would not fit.
 
+mod boxes;
 mod far;
 mod groups;
 mod kernel;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::boxes::Part;
 use super::kernel::PanelKernel;
 use super::on_panel::OnPanel;
 use super::panels::Panels;
@@ -43,28 +44,28 @@ impl<'p> NearEntries<'p> {
         Self { kernel, panels, tables, scales }
     }
 
-    /// The rows of nodes for those in `near`, one after the other.
-    pub(super) fn fill(&self, nodes: Range<usize>, near: &[Range<usize>; 2], rows: &mut [f64]) {
-        let length: usize = near.iter().map(Range::len).sum();
+    /// The rows of nodes for those in `near`, one after the other; for what boxes have as well, what they lack.
+    pub(super) fn fill(&self, nodes: Range<usize>, near: &[Part], rows: &mut [f64]) {
+        let length: usize = near.iter().map(|part| part.nodes.len()).sum();
         let places = self.panels.nodes();
         let mut found = Vec::new();
         // All distances first: their logarithms are taken side by side.
         for (node, row) in nodes.clone().zip(rows.chunks_exact_mut(length.max(1))) {
             let x = places[node];
             let mut row = row;
-            for part in near {
+            for Part { nodes: part, is_far } in near {
                 let (own, rest) = row.split_at_mut(part.len());
                 for panel in self.panels_of(part) {
                     let near = self.near(panel, node);
+                    let is_plain = matches!(near, Near::Plain);
                     let inside = self.inside(panel, part);
                     let entries = &mut own[inside.start - part.start..inside.end - part.start];
-                    match near {
-                        Near::Plain => {
-                            let others = entries.iter_mut().zip(&places[inside]);
-                            others.for_each(|(entry, s)| [*entry, _] = self.kernel.apart(x, *s));
-                        }
+                    if is_plain != *is_far {
+                        let others = entries.iter_mut().zip(&places[inside]);
+                        others.for_each(|(entry, s)| [*entry, _] = self.kernel.apart(x, *s));
+                    } else {
                         // Any that has a logarithm.
-                        _ => entries.fill(1.0),
+                        entries.fill(1.0);
                     }
                     found.push(near);
                 }
@@ -75,12 +76,21 @@ impl<'p> NearEntries<'p> {
         let mut found = found.into_iter();
         for (node, row) in nodes.zip(rows.chunks_exact_mut(length.max(1))) {
             let mut row = row;
-            for part in near {
+            for Part { nodes: part, is_far } in near {
                 let (own, rest) = row.split_at_mut(part.len());
                 for (panel, near) in self.panels_of(part).zip(&mut found) {
                     let inside = self.inside(panel, part);
                     let entries = &mut own[inside.start - part.start..inside.end - part.start];
-                    self.finish((panel, node), near, &inside, entries);
+                    match (near, is_far) {
+                        (Near::Plain, true) => entries.fill(0.0),
+                        (_, true) => {
+                            let mut plain = entries.to_vec();
+                            self.finish((panel, node), Near::Plain, &inside, &mut plain);
+                            self.finish((panel, node), near, &inside, entries);
+                            entries.iter_mut().zip(plain).for_each(|(entry, has)| *entry -= has);
+                        }
+                        _ => self.finish((panel, node), near, &inside, entries),
+                    }
                 }
                 row = rest;
             }

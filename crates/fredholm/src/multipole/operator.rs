@@ -4,6 +4,8 @@ use std::mem;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
+use super::boxes::{Boxes, Leaf, Part};
+use super::far::OfBoxes;
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::on_panel::OnPanel;
@@ -11,20 +13,18 @@ use super::panels::Panels;
 use super::rings::Rings;
 use super::sums::{Lanes, PlainSum};
 use super::threads::{each, parts_of};
-use super::tree::{AtPoints, Tree, interpolate};
+use super::tree::{self, AtPoints, Tree, interpolate};
 use crate::Error;
 use crate::linear::{dot, vectorised};
 use crate::quadrature::{Node, gauss_power};
 
-/// Nodes of a leaf, about.
-const CROWD: usize = 12;
 /// Multiplications that an entry of the near part takes to be found, about.
 const FILLING: usize = 30;
 /// The same of the potential at a place.
 const EVALUATION: usize = 600;
 /// Most entries of the near part: with those of the operator before, and the directions of a solution, they stay below a gigabyte.
 const MOST_ENTRIES: usize = 40_000_000;
-/// Longest panel, as a share of `[-1, 1]`: it must lie in a leaf and its neighbours with all places that it is near to.
+/// Longest panel, as a share of `[-1, 1]`: on a circle what it is near to may not reach around.
 pub(super) const LONGEST: f64 = 0.05;
 
 /// `phi -> int K(x - s) phi(s) ds` for functions on [`Panels`]: near panels by exact moments of the polynomials, far ones through a tree of boxes, in time
@@ -59,29 +59,27 @@ impl PanelOperator {
         panels: Panels,
         other: Option<&Self>,
     ) -> Result<Self, Error> {
-        let (tree, near_starts) = Self::boxes(&kernel, &panels)?;
-        let other = other.filter(|other| {
-            let is_same_tree = other.tree.leaves() == tree.leaves();
-            other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
-        });
-        let tree = tree.filled(&kernel, panels.nodes(), other.map(|other| &*other.tree));
+        let (boxes, near_starts) = Self::boxes(&kernel, &panels)?;
+        let other = other.filter(|other| other.kernel == kernel);
+        let tree = Tree::new(&kernel, &panels, boxes, other.map(|other| &*other.tree));
+        let other = other.filter(|other| other.panels.order() == panels.order());
         let entries = NearEntries::new(&kernel, &panels);
         let lengths = near_starts.windows(2).map(|pair| pair[1] - pair[0]);
         // Asked for by one thread: libraries give back less of what that frees.
         let mut new: Vec<Vec<f64>> = lengths.clone().map(Vec::with_capacity).collect();
-        let mut near: Vec<Arc<Vec<f64>>> = vec![Arc::default(); tree.leaves()];
-        let mut rest = near.iter_mut().zip(&mut new).zip(lengths).enumerate();
+        let leaves = &tree.boxes.leaves;
+        let mut near: Vec<Arc<Vec<f64>>> = vec![Arc::default(); leaves.len()];
+        let mut rest = near.iter_mut().zip(leaves).zip(&mut new).zip(lengths);
         let parts = shares(&near_starts, FILLING);
         let parts = parts.into_iter().map(|leaves| rest.by_ref().take(leaves.len()).collect());
         each(parts.collect(), |part: Vec<_>| {
-            for (leaf, ((block, new), length)) in part {
-                *block = other.and_then(|other| other.block(leaf, &panels, &tree)).unwrap_or_else(
-                    || {
-                        new.resize(length, 0.0);
-                        entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), new);
-                        Arc::new(mem::take(new))
-                    },
-                );
+            for (((block, leaf), new), length) in part {
+                let known = other.and_then(|other| other.block(leaf, &panels));
+                *block = known.unwrap_or_else(|| {
+                    new.resize(length, 0.0);
+                    entries.fill(leaf.nodes.clone(), &leaf.near, new);
+                    Arc::new(mem::take(new))
+                });
             }
         });
         Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
@@ -96,7 +94,7 @@ impl PanelOperator {
     }
 
     /// The boxes, and where the matrices of the leaves begin.
-    fn boxes(kernel: &PanelKernel, panels: &Panels) -> Result<(Tree, Vec<usize>), Error> {
+    fn boxes(kernel: &PanelKernel, panels: &Panels) -> Result<(Boxes, Vec<usize>), Error> {
         kernel.check()?;
         if kernel.rings().is_some() != panels.are_rings {
             return Err(Error::InvalidParameter {
@@ -114,14 +112,13 @@ impl PanelOperator {
                 requirement: "at most 0.1",
             });
         }
-        let reach = 0.5 * (panels.rule.far + 1.0) * longest;
-        let tree = Tree::new(kernel, panels.nodes(), reach, CROWD);
+        let boxes = tree::boxes(kernel, panels);
         let mut near_starts = vec![0];
-        for leaf in 0..tree.leaves() {
-            let entries = tree.nodes_of(leaf, leaf).len() * count(&tree.near(leaf));
-            near_starts.push(near_starts[leaf] + entries);
+        let mut entries = 0;
+        for leaf in &boxes.leaves {
+            entries += leaf.nodes.len() * leaf.count();
+            near_starts.push(entries);
         }
-        let entries = near_starts[tree.leaves()];
         if entries > MOST_ENTRIES {
             return Err(Error::TooLarge {
                 degree: panels.count(),
@@ -129,21 +126,15 @@ impl PanelOperator {
                 available: 8 * MOST_ENTRIES as u64,
             });
         }
-        Ok((tree, near_starts))
+        Ok((boxes, near_starts))
     }
 
-    /// The matrix of a leaf, if it is that of these panels, too.
-    fn block(&self, leaf: usize, panels: &Panels, tree: &Tree) -> Option<Arc<Vec<f64>>> {
-        let order = panels.order();
-        let is_same = |one: Range<usize>, other: Range<usize>| {
-            [one.start % order, one.len()] == [other.start % order, other.len()]
-                && self.panels.touched(&one) == panels.touched(&other)
-        };
-        let own = [self.tree.nodes_of(leaf, leaf), tree.nodes_of(leaf, leaf)];
-        let near = self.tree.near(leaf).into_iter().zip(tree.near(leaf));
-        let pairs = near.chain([(own[0].clone(), own[1].clone())]);
-        let are_same = pairs.into_iter().all(|(one, other)| is_same(one, other));
-        are_same.then(|| Arc::clone(&self.near[leaf]))
+    /// The matrix of a leaf of another tree, if it is that of these panels, too.
+    fn block(&self, other: &Leaf, others: &Panels) -> Option<Arc<Vec<f64>>> {
+        let leaf = self.tree.boxes.find(other.name)?;
+        let own = &self.tree.boxes.leaves[leaf];
+        let is_same = own.is_like(&self.panels, other, others);
+        is_same.then(|| Arc::clone(&self.near[leaf]))
     }
 
     /// The panels.
@@ -155,7 +146,7 @@ impl PanelOperator {
     /// The number of pairs of nodes that are so near that the kernel is integrated for them by themselves: as long as a product takes, and the more so to find the operator.
     #[must_use]
     pub fn near_pairs(&self) -> usize {
-        self.near_starts[self.tree.leaves()]
+        self.near_starts[self.near.len()]
     }
 
     /// The potential at the nodes of a function with these values there. Missing values are zero, others ignored.
@@ -185,7 +176,8 @@ impl PanelOperator {
         let locals = self.tree.locals(charges.each_ref().map(Vec::as_slice), false);
         let mut rest = results.each_mut().map(|result| &mut result[..]);
         let parts = shares(&self.near_starts, N).into_iter().map(|leaves| {
-            let length = self.tree.nodes_of(leaves.start, leaves.end - 1).len();
+            let own = &self.tree.boxes.leaves[leaves.clone()];
+            let length = own.iter().map(|leaf| leaf.nodes.len()).sum();
             let own = rest.each_mut().map(|rest| rest.split_off_mut(..length).unwrap_or_default());
             (leaves, own)
         });
@@ -207,21 +199,23 @@ impl PanelOperator {
         locals: &[AtPoints<N>],
         results: &mut [&mut [f64]; N],
     ) {
-        let first = self.tree.nodes_of(leaves.start, leaves.start).start;
-        for leaf in leaves {
-            let near = self.tree.near(leaf);
-            let rows = self.near[leaf].chunks_exact(count(&near).max(1));
-            for (node, row) in self.tree.nodes_of(leaf, leaf).zip(rows) {
-                for k in 0..N {
-                    let mut sum = Lanes::default();
-                    sum.add(&locals[leaf][k], self.tree.at_node(node));
-                    let mut row = row;
-                    for part in &near {
-                        let (own, rest) = row.split_at(part.len());
-                        sum.add(own, &values[k][part.clone()]);
-                        row = rest;
+        let Boxes { cells, leaves: all, .. } = &self.tree.boxes;
+        let first = all[leaves.start].nodes.start;
+        for (leaf, near) in all[leaves.clone()].iter().zip(&self.near[leaves]) {
+            let mut rows = near.chunks_exact(leaf.count().max(1));
+            for end in leaf.ends.clone() {
+                for (node, row) in cells[end].nodes.clone().zip(&mut rows) {
+                    for k in 0..N {
+                        let mut sum = Lanes::default();
+                        sum.add(&locals[end][k], self.tree.at_node(node));
+                        let mut row = row;
+                        for Part { nodes, .. } in &leaf.near {
+                            let (own, rest) = row.split_at(nodes.len());
+                            sum.add(own, &values[k][nodes.clone()]);
+                            row = rest;
+                        }
+                        results[k][node - first] = sum.total();
                     }
-                    results[k][node - first] = sum.total();
                 }
             }
         }
@@ -267,11 +261,6 @@ fn shares(starts: &[usize], worth: usize) -> Vec<Range<usize>> {
     shares
 }
 
-/// Number of nodes of both parts.
-fn count(near: &[Range<usize>; 2]) -> usize {
-    near.iter().map(Range::len).sum()
-}
-
 /// `int K(x - s) phi(s) ds` at any place.
 #[derive(Debug, Clone)]
 pub struct PanelField {
@@ -286,7 +275,7 @@ pub struct PanelField {
 /// What gives the potential of a function.
 #[derive(Debug, Clone)]
 struct Sources {
-    locals: Vec<AtPoints<1>>,
+    locals: OfBoxes<1>,
     charges: Vec<f64>,
     /// Legendre coefficients, panel by panel.
     coefficients: Vec<f64>,
@@ -323,10 +312,38 @@ impl PanelField {
         if x.is_nan() || x.abs() > 1.0 {
             return self.direct(x, 0..self.panels.count());
         }
-        let leaf = self.tree.leaf(x);
-        let [local] = &self.sources().locals[leaf];
-        let near: f64 = self.tree.near(leaf).into_iter().map(|part| self.direct(x, part)).sum();
-        interpolate(local, self.tree.inside(leaf, x)) + near
+        let boxes = &self.tree.boxes;
+        let leaf = boxes.leaf(x);
+        let end = boxes.end(leaf, x);
+        let [local] = &self.sources().locals[end];
+        let (middle, half) = boxes.cells[end].middle();
+        interpolate(local, (x - middle) / half) + self.near(x, &boxes.leaves[leaf].near)
+    }
+
+    /// The potential of what is near to a leaf, but for what boxes have of it.
+    fn near(&self, x: f64, parts: &[Part]) -> f64 {
+        let order = self.panels.order();
+        let mut sum = 0.0;
+        for Part { nodes, is_far } in parts {
+            let panel = nodes.start / order;
+            if !is_far {
+                sum += self.direct(x, nodes.clone());
+            } else if self.panels.local(&self.kernel, panel, x).z.abs() < self.panels.rule.far {
+                let own = panel * order..(panel + 1) * order;
+                let meets = |part: &Part| part.nodes.start < own.end && own.start < part.nodes.end;
+                // Of a panel that has nodes in a neighbour that gave all of it.
+                if !parts.iter().any(|part| !part.is_far && meets(part)) {
+                    sum += self.direct(x, own.clone());
+                }
+                let mut plain = PlainSum::new(&self.kernel);
+                let charges = &self.sources().charges[nodes.clone()];
+                for (place, charge) in self.panels.nodes()[nodes.clone()].iter().zip(charges) {
+                    plain.add((x, *place), *charge);
+                }
+                sum -= plain.total();
+            }
+        }
+        sum
     }
 
     /// The same at many places.
@@ -351,7 +368,7 @@ impl PanelField {
             return Vec::new();
         }
         let charges = &self.sources().charges;
-        let levels = self.tree.gathered([charges]);
+        let moments = self.tree.gathered([charges]);
         let order = self.panels.order();
         let rule = gauss_power(order, -self.kernel.exponent()).unwrap_or_default();
         let slope_at = |x: &f64| {
@@ -361,10 +378,12 @@ impl PanelField {
                 let part = charge * self.kernel.slope(x, place);
                 sums = [sums[0] + part, sums[1] + part.abs()];
             };
-            let leaf = self.tree.leaf(x);
-            self.tree.far_of(leaf, &levels, &mut add);
+            let boxes = &self.tree.boxes;
+            let leaf = boxes.leaf(x);
+            self.tree.far_of(boxes.end(leaf, x), &moments, &mut add);
             let is_ending = |panel: usize| ending.is_some_and(|(own, _)| own == panel);
-            let others = self.tree.near(leaf).into_iter().flatten();
+            let near = boxes.leaves[leaf].near.iter().filter(|part| !part.is_far);
+            let others = near.flat_map(|part| part.nodes.clone());
             for node in others.filter(|node| !is_ending(node / order)) {
                 add(self.panels.nodes()[node], charges[node]);
             }

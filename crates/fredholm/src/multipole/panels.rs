@@ -15,6 +15,9 @@ const INTERPOLATION: usize = 8;
 /// A place that is this share of a panel from its end lies at it: where a contact ends is known to less than how the pressure goes there.
 const AT_END: f64 = 1.0 / 16.0;
 
+/// The rounding of a place and of where a panel sees it.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// Disjoint panels of `[-1, 1]` from left to right, each with the same number of Gauss nodes, for functions that are a polynomial on each.
 #[derive(Debug, Clone)]
 pub struct Panels {
@@ -132,6 +135,12 @@ impl Panels {
     pub(super) fn middle(&self, panel: usize) -> (f64, f64) {
         let [left, right] = self.bounds[panel];
         (0.5 * (left + right), 0.5 * (right - left))
+    }
+
+    /// The distance from the middle of a panel up to which its nodes alone do not integrate the kernel, or a little more.
+    pub(super) fn reach(&self, panel: usize) -> f64 {
+        let (_, half) = self.middle(panel);
+        self.rule.far * half + ROUNDING
     }
 
     /// Where a place lies on a panel or beside it.

@@ -1,11 +1,13 @@
 //! The far part of a potential: boxes of halved lengths whose charges act on each other through interpolation at Chebyshev points.
 
 use std::array;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::ops::Range;
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
+use super::boxes::{Boxes, CROWD, Cell, OFFSETS};
 use super::kernel::PanelKernel;
+use super::panels::Panels;
 use super::rings::Rings;
 use super::threads::{each, parts_of};
 
@@ -13,33 +15,22 @@ use super::threads::{each, parts_of};
 pub(super) const POINTS: usize = 18;
 /// Multiplications for a value of a cardinal polynomial, about: a quotient is worth several.
 const CARDINAL: usize = 8;
-/// Multiplications for a value of the kernel of rings, about.
-const BETWEEN: usize = 30;
-/// The offsets of boxes that act on each other: those of the neighbours of the parent that are no neighbours.
-pub(super) const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
-/// Most halvings.
-const DEEPEST: u32 = 18;
-/// The same of rings, whose boxes have matrices of their own: these take 60 megabytes at most.
-const DEEPEST_OF_RINGS: u32 = 13;
-pub(super) const SHALLOWEST: u32 = 2;
+/// Nodes of a leaf of rings over all: their boxes have matrices of their own, which so take about 60 megabytes.
+const CROWD_OF_RINGS: f64 = 1.0 / 320.0;
 
 /// A matrix between points by its columns, each filled up with zeros to whole vectors.
 pub(super) type Square = [[f64; WIDE]; POINTS];
 pub(super) const WIDE: usize = POINTS.next_multiple_of(8);
+/// From the boxes at all offsets to one.
+pub(super) type Squares = [Square; OFFSETS.len()];
 
-/// A tree of boxes from -1 to 1, or beyond: its leaves have the length that is asked for, and their number is a power of 2.
+/// Boxes with all that products take.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
-    pub(super) depth: u32,
-    /// Number of leaves on `[-1, 1]`; of a circle all.
-    pub(super) covering: usize,
-    /// First node of each leaf, and the number of nodes.
-    starts: Vec<usize>,
-    /// Values of the cardinal polynomials of its leaf at each node.
+    pub(super) boxes: Boxes,
+    /// Values of the cardinal polynomials of its box at each node.
     cardinal: Vec<[f64; POINTS]>,
-    /// Whether the first box is a neighbour of the last.
-    pub(super) is_closed: bool,
-    pub(super) across: Across,
+    across: Across,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
     pub(super) halves: &'static [Square; 2],
     /// The same with rows for columns.
@@ -48,173 +39,162 @@ pub(super) struct Tree {
 
 /// Between points of boxes by their offsets.
 #[derive(Debug, Clone)]
-pub(super) enum Across {
-    /// `K(h (t_i - (2 offset + t_k)))`, level by level, `h` half of a box.
-    Shifted(Vec<[Square; 4]>),
-    /// Of rings `h^(1 + mu) K`, box by box from the axis on: for boxes of any size the same; with `1 + mu`.
-    Rings(Arc<Vec<[Square; 4]>>, f64),
+enum Across {
+    /// `K(h (t_i - (2 offset + t_k)))`, `h` half of a box, for each number of halvings.
+    Shifted(Arc<Vec<Squares>>),
+    Rings(BetweenRings),
 }
+
+/// Of rings `h^(1 + mu) K`, which for boxes of any size are the same as far from the axis in their lengths: each is made when a product first asks for it.
+#[derive(Debug, Clone)]
+struct BetweenRings {
+    rings: Rings,
+    /// By the number of boxes between them and the axis.
+    known: BTreeMap<usize, Matrices>,
+    of_cell: Vec<Matrices>,
+}
+
+type Matrices = Arc<OnceLock<Box<Squares>>>;
 
 /// A value of each of some functions at each point of a box.
 pub(super) type AtPoints<const N: usize> = [[f64; POINTS]; N];
 
-impl Tree {
-    /// The boxes for nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
-    pub(super) fn new(kernel: &PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
-        let is_closed = kernel.is_closed();
-        let fewest = 1usize << SHALLOWEST;
-        let crowded = nodes.len().div_ceil(crowd).clamp(fewest, 1 << DEEPEST);
-        let mut covering = crowded.min((2.0 / length) as usize).max(fewest);
-        if kernel.rings().is_some() {
-            // Boxes before the axis are empty.
-            let most = (2 * crowded).min(1 << DEEPEST_OF_RINGS);
-            covering = most.min((2.0 / length) as usize).max(fewest);
-        }
-        if is_closed || kernel.rings().is_some() {
-            covering = 1 << covering.ilog2();
-        }
-        let depth = covering.next_power_of_two().ilog2();
-        let leaves = 1usize << depth;
-        let mut starts = vec![nodes.len(); leaves + 1];
-        let mut next = 0;
-        for (leaf, start) in starts.iter_mut().enumerate().take(covering) {
-            let left = 2.0 * leaf as f64 / covering as f64 - 1.0;
-            while next < nodes.len() && nodes[next] < left {
-                next += 1;
-            }
-            *start = next;
-        }
-        let [halves, gathers] = &CHEBYSHEV.halves;
-        let (across, cardinal) = (Across::Shifted(Vec::new()), Vec::new());
-        Self { depth, covering, starts, cardinal, is_closed, across, halves, gathers }
-    }
+/// The boxes for the nodes of panels.
+pub(super) fn boxes(kernel: &PanelKernel, panels: &Panels) -> Boxes {
+    let share = if kernel.rings().is_some() { CROWD_OF_RINGS } else { 0.0 };
+    let crowd = CROWD.max((share * panels.count() as f64) as usize);
+    Boxes::new(panels, crowd, kernel.is_closed())
+}
 
-    /// With all that products take.
-    pub(super) fn filled(
-        mut self,
+impl Tree {
+    /// With what is known of another of the same kernel.
+    pub(super) fn new(
         kernel: &PanelKernel,
-        nodes: &[f64],
+        panels: &Panels,
+        boxes: Boxes,
         other: Option<&Self>,
     ) -> Self {
-        // Of the same kernel on as many boxes they are the same.
-        self.across = match (kernel.rings(), other.map(|other| &other.across)) {
-            (Some(_), Some(known @ Across::Rings(..))) => known.clone(),
-            (Some(rings), _) => self.rings(rings),
-            (None, _) => self.shifted(kernel),
+        let across = match (kernel.rings(), other.map(|other| &other.across)) {
+            (Some(rings), Some(Across::Rings(known))) => {
+                Across::Rings(BetweenRings::new(rings, &boxes, Some(&known.known)))
+            }
+            (Some(rings), _) => Across::Rings(BetweenRings::new(rings, &boxes, None)),
+            (None, Some(Across::Shifted(known))) if known.len() > boxes.deepest() => {
+                Across::Shifted(Arc::clone(known))
+            }
+            (None, _) => Across::Shifted(Arc::new(shifted(kernel, boxes.deepest()))),
         };
-        let mut values = vec![[0.0; POINTS]; nodes.len()];
-        let mut rest = &mut values[..];
-        let leaves = (0..self.leaves()).map(|leaf| {
-            let own = self.nodes_of(leaf, leaf);
-            let values = rest.split_off_mut(..own.len()).unwrap_or_default();
-            (leaf, own, values)
-        });
-        let mut leaves: Vec<_> = leaves.collect();
-        let share = leaves.len().div_ceil(parts_of(CARDINAL * POINTS * nodes.len()));
-        each(leaves.chunks_mut(share).collect(), |leaves| {
-            for (leaf, own, values) in leaves {
-                for (x, values) in nodes[own.clone()].iter().zip(&mut **values) {
-                    cardinal(self.inside(*leaf, *x), values);
-                }
-            }
-        });
-        self.cardinal = values;
-        self
+        let cardinal = cardinals(&boxes, panels.nodes());
+        let [halves, gathers] = &CHEBYSHEV.halves;
+        Self { boxes, cardinal, across, halves, gathers }
     }
 
-    fn shifted(&self, kernel: &PanelKernel) -> Across {
-        let points = &CHEBYSHEV.points;
-        let across = (SHALLOWEST..=self.depth).map(|level| {
-            let half = (self.leaves() >> level) as f64 / self.covering as f64;
-            OFFSETS.map(|offset| {
-                square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
-            })
-        });
-        Across::Shifted(across.collect())
-    }
-
-    fn rings(&self, rings: &Rings) -> Across {
-        let points = &CHEBYSHEV.points;
-        let mut across = vec![[[[0.0; WIDE]; POINTS]; 4]; self.leaves() / 2];
-        let share = across.len().div_ceil(parts_of(BETWEEN * POINTS * POINTS * across.len()));
-        each(across.chunks_mut(share).enumerate().collect(), |(part, across)| {
-            for (within, own) in across.iter_mut().enumerate() {
-                let target = (part * share + within) as isize;
-                for (matrix, offset) in own.iter_mut().zip(OFFSETS) {
-                    // The child on the left acts on the third on its right, the one on the right on the third on its left.
-                    let is_apart =
-                        if offset.abs() == 3 { (offset > 0) == (target % 2 == 0) } else { true };
-                    let source = target + offset;
-                    if source < 0 || !is_apart {
-                        continue;
-                    }
-                    let radius = |of: isize, t: f64| (2 * of + 1) as f64 + t;
-                    let apart = |i: usize, k: usize| {
-                        let (x, s) = (radius(target, points[i]), radius(source, points[k]));
-                        rings.apart(x, s, x - s)
-                    };
-                    // All logarithms or powers of a box at once.
-                    let mut values = [[0.0; POINTS]; POINTS];
-                    for (k, column) in values.iter_mut().enumerate() {
-                        *column = array::from_fn(|i| apart(i, k)[0]);
-                    }
-                    rings.values(values.as_flattened_mut());
-                    *matrix = square(|i, k| apart(i, k)[1] * values[k][i]);
-                }
-            }
-        });
-        Across::Rings(Arc::new(across), 1.0 + rings.exponent())
-    }
-
-    /// The matrices of a box of a level with those in reach, and the factor that they lack.
+    /// The matrices of a box with those in reach, and the factor that they lack.
     #[inline(always)]
-    pub(super) fn across(&self, b: usize, level: u32) -> (&[Square; 4], f64) {
+    pub(super) fn across(&self, place: usize) -> (&Squares, f64) {
+        let Cell { level, index, .. } = self.boxes.cells[place];
         match &self.across {
-            Across::Shifted(across) => (&across[(level - SHALLOWEST) as usize], 1.0),
-            Across::Rings(across, power) => {
-                let axis = 1usize << (level - 1);
-                // Half a box has the length 1/2^level.
-                (&across[b.saturating_sub(axis)], ((2 * axis) as f64).powf(*power))
-            }
+            Across::Shifted(across) => (&across[level], 1.0),
+            Across::Rings(between) => between.at(place, level, index),
         }
     }
 
-    pub(super) fn leaves(&self) -> usize {
-        1 << self.depth
-    }
-
-    /// The leaf of a place in `[-1, 1]`.
-    pub(super) fn leaf(&self, x: f64) -> usize {
-        ((0.5 * (x + 1.0) * self.covering as f64) as usize).min(self.covering - 1)
-    }
-
-    /// The nodes of leaves from the first to the last.
-    pub(super) fn nodes_of(&self, first: usize, last: usize) -> Range<usize> {
-        self.starts[first]..self.starts[last + 1]
-    }
-
-    /// The nodes of a leaf and its neighbours, which act directly; the second part are those across the seam of a circle.
-    pub(super) fn near(&self, leaf: usize) -> [Range<usize>; 2] {
-        let last = self.leaves() - 1;
-        let beside = self.nodes_of(leaf.saturating_sub(1), (leaf + 1).min(last));
-        let across = match leaf {
-            0 if self.is_closed => self.nodes_of(last, last),
-            leaf if self.is_closed && leaf == last => self.nodes_of(0, 0),
-            _ => 0..0,
-        };
-        [beside, across]
-    }
-
-    /// The place in a leaf, from -1 to 1.
-    pub(super) fn inside(&self, leaf: usize, x: f64) -> f64 {
-        (x + 1.0) * self.covering as f64 - (2 * leaf + 1) as f64
-    }
-
-    /// What a node takes of the values at the points of its leaf, and gives to the charges there.
+    /// What a node takes of the values at the points of its box, and gives to the charges there.
     #[inline(always)]
     pub(super) fn at_node(&self, node: usize) -> &[f64; POINTS] {
         &self.cardinal[node]
     }
+}
+
+/// The values of the cardinal polynomials of their boxes at all nodes.
+fn cardinals(boxes: &Boxes, nodes: &[f64]) -> Vec<[f64; POINTS]> {
+    let mut values = vec![[0.0; POINTS]; nodes.len()];
+    let mut rest = &mut values[..];
+    let ends = boxes.leaves.iter().flat_map(|leaf| &boxes.cells[leaf.ends.clone()]);
+    let mut ends: Vec<_> = ends
+        .map(|cell| (cell, rest.split_off_mut(..cell.nodes.len()).unwrap_or_default()))
+        .collect();
+    let share = ends.len().div_ceil(parts_of(CARDINAL * POINTS * nodes.len()));
+    each(ends.chunks_mut(share).collect(), |ends| {
+        for (cell, values) in ends {
+            let (middle, half) = cell.middle();
+            for (x, values) in nodes[cell.nodes.clone()].iter().zip(&mut **values) {
+                cardinal((x - middle) / half, values);
+            }
+        }
+    });
+    values
+}
+
+/// Matrices by differences of places, for each number of halvings.
+fn shifted(kernel: &PanelKernel, deepest: usize) -> Vec<Squares> {
+    let points = &CHEBYSHEV.points;
+    let of_level = |level: usize| {
+        let half = 1.0 / (1u64 << level) as f64;
+        OFFSETS.map(|offset| {
+            let mut distances = [[0.0; POINTS]; POINTS];
+            for (column, t) in distances.iter_mut().zip(points) {
+                *column = points.map(|own| half * (own - (2.0 * offset as f64 + t)));
+            }
+            kernel.values(distances.as_flattened_mut());
+            square(|i, k| distances[k][i])
+        })
+    };
+    (0..=deepest).map(of_level).collect()
+}
+
+impl BetweenRings {
+    fn new(rings: &Rings, boxes: &Boxes, others: Option<&BTreeMap<usize, Matrices>>) -> Self {
+        let mut known: BTreeMap<usize, Matrices> = BTreeMap::new();
+        let of_cell = boxes.cells.iter().map(|cell| {
+            // Boxes before the axis are empty: no product asks for theirs.
+            let target = cell.index.saturating_sub(axis(cell.level));
+            let other = || others.and_then(|others| others.get(&target)).cloned();
+            Arc::clone(known.entry(target).or_insert_with(|| other().unwrap_or_default()))
+        });
+        let of_cell = of_cell.collect();
+        Self { rings: rings.clone(), known, of_cell }
+    }
+
+    #[inline(always)]
+    fn at(&self, place: usize, level: usize, index: usize) -> (&Squares, f64) {
+        let target = index.saturating_sub(axis(level));
+        let squares = self.of_cell[place].get_or_init(|| self.squares(target as isize));
+        // Half a box has the length 1/2^level.
+        (squares, ((2 * axis(level)) as f64).powf(1.0 + self.rings.exponent()))
+    }
+
+    #[cold]
+    fn squares(&self, target: isize) -> Box<Squares> {
+        let points = &CHEBYSHEV.points;
+        let radius = |of: isize, t: f64| (2 * of + 1) as f64 + t;
+        let mut squares = Box::new([[[0.0; WIDE]; POINTS]; OFFSETS.len()]);
+        for (matrix, offset) in squares.iter_mut().zip(OFFSETS) {
+            // The child on the left acts on the third on its right, the one on the right on the third on its left.
+            let is_apart = offset.abs() < 3 || (offset > 0) == (target % 2 == 0);
+            let source = target + offset;
+            if source < 0 || !is_apart {
+                continue;
+            }
+            let apart = |i: usize, k: usize| {
+                let (x, s) = (radius(target, points[i]), radius(source, points[k]));
+                self.rings.apart(x, s, x - s)
+            };
+            // All logarithms or powers of a box at once.
+            let mut values = [[0.0; POINTS]; POINTS];
+            for (k, column) in values.iter_mut().enumerate() {
+                *column = array::from_fn(|i| apart(i, k)[0]);
+            }
+            self.rings.values(values.as_flattened_mut());
+            *matrix = square(|i, k| apart(i, k)[1] * values[k][i]);
+        }
+        squares
+    }
+}
+
+/// The first box of a level beyond the axis.
+fn axis(level: usize) -> usize {
+    (1 << level) / 2
 }
 
 fn square(entry: impl Fn(usize, usize) -> f64) -> Square {

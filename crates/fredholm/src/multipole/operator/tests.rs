@@ -83,7 +83,7 @@ fn what_is_shared_among_processors_has_the_bits_of_one() {
     for (values, shared) in [one, other].into_iter().zip(together) {
         let locals = operator.tree.locals([&operator.panels().charges(&values)], false);
         let mut alone = vec![0.0; values.len()];
-        operator.add_up(0..operator.tree.leaves(), &[values], &locals, &mut [&mut alone]);
+        operator.add_up(0..operator.near.len(), &[values], &locals, &mut [&mut alone]);
         assert_eq!(shared, alone);
     }
     let field = operator.field(&own(7.0));
@@ -112,10 +112,10 @@ fn an_operator_beside_another_is_its_own_to_the_last_bit() {
         let beside = PanelOperator::beside(kernel.clone(), panels(), Some(&other)).unwrap();
         assert!(fresh.near.iter().all(|block| block.iter().all(|entry| entry.is_finite())));
         assert_eq!(fresh.near, beside.near, "{kernel:?}");
-        let known = (0..fresh.tree.leaves())
-            .filter(|leaf| other.block(*leaf, fresh.panels(), &fresh.tree).is_some());
+        let leaves = &fresh.tree.boxes.leaves;
+        let known = leaves.iter().filter(|leaf| other.block(leaf, fresh.panels()).is_some());
         let known = known.count();
-        assert!(known > fresh.tree.leaves() / 2, "{kernel:?}: {known} of {}", fresh.tree.leaves());
+        assert!(known > leaves.len() / 2, "{kernel:?}: {known} of {}", leaves.len());
     }
 }
 
