@@ -47,6 +47,7 @@ mod golden;
 mod grading;
 mod heap;
 mod influence;
+mod intervals;
 pub mod inverse;
 mod latest;
 mod layering;

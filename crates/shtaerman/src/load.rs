@@ -187,6 +187,14 @@ impl Load {
         }
     }
 
+    /// The longest interval of one of these about the line of the force, if there is one.
+    pub(crate) fn about(&self, pieces: &[[f64; 2]]) -> Option<[f64; 2]> {
+        let arm = self.arm()?;
+        let reach = |[left, right]: &[f64; 2]| (arm - left).min(right - arm);
+        let reach = pieces.iter().map(reach).find(|reach| *reach > 0.0)?;
+        Some([arm - reach, arm + reach])
+    }
+
     /// The load under which a profile less the line `height + slope xi` is met as the whole one is under this.
     pub(crate) fn lowered(self, height: f64, slope: f64) -> Self {
         let vertical = self.vertical.mapped(|force| force, |settlement| settlement - height);

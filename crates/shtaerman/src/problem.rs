@@ -47,6 +47,8 @@ pub struct Problem {
     solver: Solver,
     /// When the search for its answer has to come to its end.
     deadline: Deadline,
+    /// What the difference of settlement and heights is known to where a level was taken from both: decimal numbers are rounded before that.
+    rounding: f64,
 }
 
 impl Problem {
@@ -59,7 +61,7 @@ impl Problem {
     pub fn new(foundation: Foundation, punch: Punch, load: Load) -> Result<Self, Error> {
         let bodies = Bodies::new(&foundation, &punch)?;
         let (solver, deadline) = (Solver::default(), Deadline::default());
-        Self { foundation, punch, bodies, load, solver, deadline }.ready()
+        Self { foundation, punch, bodies, load, solver, deadline, rounding: 0.0 }.ready()
     }
 
     /// The same problem solved with other bodies, without asking what foundation and punch would make it so.
@@ -211,13 +213,21 @@ impl Problem {
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
         let (profile, level) = self.profile().lowered(self.bodies.half_width())?;
         let load = self.load.lowered(level, 0.0);
-        let profile = match self.load.vertical.settlement() {
+        let (profile, rounding) = match self.load.vertical.settlement() {
             // What rounding takes from the settlement is left to the heights.
-            Some(settlement) => profile.raised(-remainder_of_sum(settlement, -level)),
-            None => profile,
+            Some(settlement) => {
+                let raised = profile.raised(-remainder_of_sum(settlement, -level));
+                (raised, f64::EPSILON * (settlement.abs() + level.abs()))
+            }
+            None => (profile, 0.0),
         };
         let punch = self.punch.clone().with_profile(profile);
-        Some((Self { punch, load, ..self.clone() }, level))
+        Some((Self { punch, load, rounding, ..self.clone() }, level))
+    }
+
+    /// What settlement and heights, one taken from the other, are known to in the units of the problem.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.rounding
     }
 
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.

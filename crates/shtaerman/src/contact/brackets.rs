@@ -1,8 +1,8 @@
 //! Where free ends are known to be.
 
 use super::edges::{EndState, FALLING};
-use super::intervals::SLIVER;
 use super::zones::Zone;
+use crate::intervals::SLIVER;
 
 /// A value below this share of the largest of all ends tells no place (survey).
 const OTHERS: f64 = 0.1;

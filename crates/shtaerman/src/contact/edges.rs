@@ -5,10 +5,10 @@
 
 use super::accuracy::{ROUNDING, SAFETY};
 use super::brackets::Brackets;
-use super::intervals::SLIVER;
 use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
+use crate::intervals::SLIVER;
 use crate::line_search::{CUTS, STEPS};
 
 /// What an end lacks, as a share of its scale, that is good enough while zones are looked for, and in an answer as good as nothing if it does not fall any more: to this share of the step before. Nor does a value on the way to a bracket that other ends have left behind (survey).

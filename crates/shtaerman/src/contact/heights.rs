@@ -43,7 +43,7 @@ impl Setting {
         let roundings = profile.roundings(&places, half_width);
         let rounding = roundings.into_iter().filter(|here| here.is_finite()).fold(0.0, f64::max);
         let scale = self.problem().bodies().unit(Scaling::displacement);
-        [rounding / scale, largest / scale]
+        [(rounding + self.problem().rounding()) / scale, largest / scale]
     }
 
     /// The largest rounding of the dimensionless heights beside the ends of the zones, up to half of each.

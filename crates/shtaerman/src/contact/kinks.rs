@@ -1,7 +1,7 @@
 //! Kinks of the base on a smooth surface, under which the pressure is infinite.
 
-use super::intervals::SLIVER;
 use super::steps::{BESIDE, INSIDE};
+use crate::intervals::SLIVER;
 use crate::roughness::Law;
 use crate::{ContactKind, Problem};
 

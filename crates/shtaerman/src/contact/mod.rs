@@ -19,7 +19,6 @@ mod edges;
 mod ground;
 mod heights;
 mod intensity;
-mod intervals;
 mod kinks;
 mod linearised;
 mod method;

@@ -2,9 +2,9 @@
 
 use super::Contact;
 use super::complementarity::Complementarity;
-use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::bodies::Bodies;
+use crate::intervals::SLIVER;
 use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering};
 use crate::warning::{Warning, WarningCode};
 

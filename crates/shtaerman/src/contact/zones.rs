@@ -1,8 +1,8 @@
 //! The zones of contact.
 
 use super::accuracy::ROUNDING;
-use super::intervals::joined;
 use crate::Error;
+use crate::intervals::joined;
 
 /// What holds an end of a zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -31,6 +31,13 @@ impl Nodes {
         self.strengths.push(strength);
     }
 
+    /// All but the outermost one, which is [closed](Self::close), each with its strength.
+    pub(super) fn inner(&self) -> impl Iterator<Item = (f64, f64)> {
+        let all = self.offsets.iter().copied().zip(self.strengths.iter().copied());
+        let last = self.strengths.iter().rposition(|strength| *strength != 0.0);
+        all.take(last.unwrap_or(0))
+    }
+
     pub(super) fn strengths(&self) -> &[f64] {
         &self.strengths
     }

@@ -108,6 +108,22 @@ impl Panel {
         nodes.iter().flat_map(|nodes| nodes.strengths().iter().copied())
     }
 
+    /// The nodes of both grids from left to right, each with the size of the pressure there; but for the outermost ones, which stand for what lies beyond them, too.
+    pub(super) fn samples(&self) -> Vec<(f64, f64)> {
+        let (length, mut samples) = (self.length(), Vec::new());
+        for grid in &self.grids {
+            for ([_, end, _], nodes) in self.images.iter().zip(&grid.nodes) {
+                for (offset, strength) in nodes.iter().flat_map(Nodes::inner) {
+                    let [near, far] = [offset.abs(), length - offset.abs()];
+                    let size = (strength / (self.step * (near * (far / length)))).abs();
+                    samples.push((end + offset, size));
+                }
+            }
+        }
+        crate::order::sort_by_number(&mut samples, |(x, _)| *x);
+        samples
+    }
+
     /// Lets the first and the last panel of a base without gaps meet at one place, as seen from either: else rounding parts them, and a place beside the seam is near to one of two ends only.
     pub(super) fn close(panels: &mut [Self]) {
         if let [first, ..] = panels {

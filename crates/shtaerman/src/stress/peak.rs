@@ -1,6 +1,6 @@
 //! Where an equivalent stress is largest.
 //!
-//! Candidates are the local maxima on a grid in bipolar coordinates of every panel and of all panels together, which are fine near every end; the best are
+//! Candidates are the local maxima on a grid in bipolar coordinates of every panel and of all panels together, which are fine near every end, and those straight below crests of the pressure; the best are
 //! refined by Newton's method on the exact gradient. To these come the surface under the contact, where the pressure is largest, and the ends of
 //! panels: where the pressure jumps, the stress beneath depends on the direction alone, and its largest value is the limit that counts.
 
@@ -23,6 +23,8 @@ const LEAST_STRIDE: f64 = 0.2;
 /// More panels than these are searched zone by zone, and more zones coarsely.
 const FEW: usize = 8;
 const COARSE: f64 = 2.0;
+/// From one depth below a crest to the next.
+const DEEPER: f64 = 1.5;
 /// Local maxima below this share of the best are not refined, nor more than this many.
 const WORTHWHILE: f64 = 0.9;
 const MOST_REFINED: usize = 24;
@@ -57,6 +59,14 @@ pub struct Peak {
     pub depth: f64,
     /// Whether it is the limit at the end of a panel where the pressure jumps or is infinite: the stress there depends on the direction, and the value is that of the worst.
     pub is_corner: bool,
+}
+
+/// A node at which the size of the pressure exceeds that at its neighbours, between these.
+#[derive(Clone, Copy)]
+struct Crest<'p> {
+    panel: &'p Panel,
+    nodes: [f64; 3],
+    size: f64,
 }
 
 /// A place and the value there.
@@ -94,6 +104,7 @@ impl StressField {
             let hull = [first.left, first.left + period];
             found.extend(self.grid_maxima(criterion, hull, 0.5 * STRIDE));
         }
+        found.extend(self.below_crests(criterion));
         let best = found.iter().fold(0.0f64, |most, candidate| most.max(candidate.1));
         found.retain(|candidate| candidate.1 >= WORTHWHILE * best);
         crate::order::sort_by_number(&mut found, |one| -one.1);
@@ -259,27 +270,50 @@ impl StressField {
         self.inner().iter().map(to_end).fold(f64::INFINITY, f64::min)
     }
 
+    /// The crests of the pressure that may be the highest, each with the nodes on both sides: these show all of them, which a grid for the body may miss.
+    fn crests(&self) -> Vec<Crest<'_>> {
+        let mut crests: Vec<Crest<'_>> = Vec::new();
+        for panel in self.inner() {
+            for three in panel.samples().windows(3) {
+                let [before, at, after] = [0, 1, 2].map(|i| three[i]);
+                if before.1 <= at.1 && after.1 <= at.1 {
+                    crests.push(Crest { panel, nodes: [before.0, at.0, after.0], size: at.1 });
+                }
+            }
+        }
+        let best = crests.iter().fold(0.0, |most, crest| crest.size.max(most));
+        crests.retain(|crest| crest.size >= WORTHWHILE * best);
+        crate::order::sort_by_number(&mut crests, |crest| -crest.size);
+        crests.truncate(MOST_REFINED);
+        crests
+    }
+
     /// The places of the surface where the pressure is largest: `(1 - 2 nu) p` there.
     fn surface_peaks(&self, criterion: Criterion) -> Vec<Peak> {
         let factor = criterion.of_parts(2.0, 0.0, self.poisson_ratio());
-        let mut peaks = Vec::new();
-        for panel in self.inner() {
-            let stride = stride(panel);
-            let count = (OUTERMOST / stride) as i64;
-            let place = |index: i64| {
-                bipolar(panel.left, panel.right, Complex::new(index as f64 * stride, 0.0))[0]
-            };
-            let size = |index: i64| self.surface(place(index)).abs();
-            let best = (-count..=count)
-                .map(|index| (index, size(index)))
-                .fold((0, 0.0), |best, next| if next.1 > best.1 { next } else { best });
-            let x =
-                self.level(panel, place(best.0 - 1), place(best.0 + 1)).unwrap_or(place(best.0));
-            let x = if self.surface(x).abs() >= best.1 { x } else { place(best.0) };
-            let value = factor * self.surface(x).abs();
-            peaks.push(Peak { value, x, depth: 0.0, is_corner: false });
-        }
-        peaks
+        let refined =
+            self.crests().into_iter().map(|Crest { panel, nodes: [before, at, after], .. }| {
+                let level = self.level(panel, before, after).unwrap_or(at);
+                let [own, other] = [at, level].map(|x| self.surface(x).abs());
+                let (x, pressure) = if other > own { (level, other) } else { (at, own) };
+                Peak { value: factor * pressure, x, depth: 0.0, is_corner: false }
+            });
+        refined.collect()
+    }
+
+    /// Maxima straight below the crests of the pressure, from the distance between nodes to the length of the panel.
+    fn below_crests(&self, criterion: Criterion) -> Vec<Reached> {
+        let below = |Crest { panel, nodes: [before, at, after], .. }: Crest<'_>| {
+            let shallowest = 0.5 * (after - before);
+            let depths = (0..).map(|k| shallowest * DEEPER.powi(k));
+            let depths = depths.take_while(|depth| *depth < panel.length());
+            let values: Vec<Reached> = depths
+                .map(|depth| ([at, depth], self.equivalent(criterion, [at, depth])))
+                .collect();
+            let is_top = |three: &&[Reached]| three[0].1 <= three[1].1 && three[2].1 <= three[1].1;
+            values.windows(3).filter(is_top).map(|three| three[1]).collect::<Vec<_>>()
+        };
+        self.crests().into_iter().flat_map(below).collect()
     }
 
     /// Where the slope of the pressure changes its sign, by bisection.

@@ -104,3 +104,32 @@ fn a_row_far_apart_has_the_maximum_of_one() {
 /// Depth and value, from `F = pi (z - sqrt(z^2 - 1))` on the axis.
 const SHEAR: [f64; 2] = [0.786_151_377_757_423_3, 0.300_283_106_000_777_6];
 const VON_MISES: [f64; 2] = [0.704_291_684_588_101, 0.557_516_216_566_063_7];
+
+/// Crests of a fine wave on a long contact: on the surface the stress is `(1 - 2 nu) p` by von Mises, and below each crest there may be a maximum of the shear.
+#[test]
+fn the_highest_of_many_crests_is_found() {
+    let ratio = 0.05;
+    for (waves, phase) in [(20.0, 0.4), (33.0, -1.1), (47.0, 2.2), (61.0, 0.9), (88.0, -2.6)] {
+        let lean = 0.002 * phase;
+        let pressure = |_: usize, left: f64, right: f64| {
+            let x = if left < right { left - 1.0 } else { 1.0 - right };
+            (left * right).sqrt() * (1.0 + lean * x) * (1.0 + 0.2 * (waves * x + phase).cos())
+        };
+        let field = StressField::from_pressure(&[[-1.0, 1.0]], None, ratio, pressure).unwrap();
+        let places = (1..20_000).map(|i| f64::from(i) / 10_000.0);
+        let highest = places.map(|left| pressure(0, left, 2.0 - left)).fold(0.0, f64::max);
+        let peak = field.peak(Criterion::VonMises);
+        let least = (1.0 - 2.0 * ratio) * highest;
+        assert!(peak.value >= least - 2.0 * field.error(), "{waves}: {peak:?} {least}");
+        let shear = field.peak(Criterion::Tresca);
+        for i in 0..400 {
+            let x = f64::from(i) / 200.0 - 0.9975;
+            for depth in [0.3, 0.6, 1.0, 1.6, 2.5, 20.0].map(|depth| depth / waves) {
+                let stress = field.stress(x, depth).unwrap();
+                let found = [stress.von_mises(ratio), stress.tresca()];
+                let allowed = [peak.value, shear.value].map(|value| value * (1.0 + 1e-12));
+                assert!(found[0] <= allowed[0] && found[1] <= allowed[1], "{waves} {x} {depth}");
+            }
+        }
+    }
+}

@@ -12,13 +12,13 @@ use crate::contact::accuracy::SAFETY;
 use crate::contact::check::between_breaks;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
-use crate::contact::intervals::joined;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
 use crate::contact::steps::{BESIDE, INSIDE, rise};
 use crate::contact::valleys::{self, MISSED, MOST_CELLS, MOST_SAMPLES, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
+use crate::intervals::joined;
 use crate::line_search::Point;
 use crate::{ContactKind, Error, Load, Problem, Rotational};
 

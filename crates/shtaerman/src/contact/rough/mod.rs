@@ -27,13 +27,13 @@ mod turned;
 use std::sync::Arc;
 
 use super::check::Check;
-use super::intervals::longest_gap;
 use super::parts::{Parts, require_few};
 use super::promise::ROUGHEST;
 use super::search::{complementary, unknown};
 use super::setting::Setting;
 use super::solution::Solution;
 use super::steps::BESIDE;
+use crate::intervals::longest_gap;
 use crate::{ContactKind, Error};
 use answer::RoughContact;
 use base::Base;
@@ -102,7 +102,7 @@ fn on_panels(base: &Base) -> Result<RoughContact<OnPanels>, Error> {
 fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     let seen_from = |cut: f64| open(&base.clone().shifted(cut));
     // Cells that find nothing show no gap.
-    if let Some(middle) = longest_gap(base.coarse().unwrap_or_default())
+    if let Some(middle) = longest_gap(base.coarse().unwrap_or_default(), BESIDE)
         && let Ok(answer) = seen_from(middle)
         && !touches_about(answer.as_ref(), middle)
     {
@@ -112,7 +112,8 @@ fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     let Some(least) = full.pulls_most() else { return Ok(Arc::new(full.lifting())) };
     let answer = seen_from(least)?;
     // A slit beside a step, where contact ends, is a wall that the base has not.
-    let gap = longest_gap(&answer.zones()).filter(|_| touches_about(answer.as_ref(), least));
+    let gap =
+        longest_gap(&answer.zones(), BESIDE).filter(|_| touches_about(answer.as_ref(), least));
     gap.map_or(Ok(answer), seen_from)
 }
 

@@ -6,7 +6,6 @@ use fredholm::inversion::{Slopes, few_waves};
 
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
-use crate::contact::intervals::SLIVER;
 use crate::contact::kinks::jump;
 use crate::contact::parts::{DEGREE, MOST_CUTS, RESOLVED};
 use crate::contact::revolution::require_even;
@@ -17,6 +16,7 @@ use crate::contact::valleys::{MOST_CELLS, MOST_SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::deadline::{Deadline, work};
 use crate::error::require;
+use crate::intervals::SLIVER;
 use crate::{Error, Geometry, Load, Rotational, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least. At half or twice 2 of 32 answers change, within what they state (survey).

@@ -92,8 +92,16 @@ pub(super) fn estimate<F: FirstKind>(
         force: change(|state| state.force) + raised + carried,
         moment: change(|state| state.moment) + off_centre + carried,
     };
-    let moved = MOVED * equation.base().setting.theta0() * moved / stiffness.force_settlement.abs();
-    (accuracy.with_left(moved, &stiffness), edge)
+    let force = stiffness.force_settlement.abs();
+    let depth = MOVED * equation.base().setting.theta0() * moved / force;
+    // Of what lies so deep at the ends of all zones together, and turns about their middle.
+    let [first, last] = [zones[0], zones[zones.len() - 1]];
+    let (reach, middle) =
+        (0.5 * (last.right() - first.left()), 0.5 * (first.left() + last.right()));
+    let turned = if is_disk { 0.0 } else { 2.0 * depth / reach };
+    let arm = middle.abs();
+    let opened = [depth + arm * turned, turned, force * depth, force * depth * (arm + 2.0 * reach)];
+    (accuracy.open(opened, |known, more| known + more), edge)
 }
 
 /// The error of the pressure over the largest one.

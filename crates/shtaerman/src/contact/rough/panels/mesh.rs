@@ -5,10 +5,10 @@
 use fredholm::basis::Shown;
 
 use crate::contact::accuracy::ROUNDING;
-use crate::contact::intervals::SLIVER;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::refinement::missed_of_power;
 use crate::contact::zones::{EndKind, Zone};
+use crate::intervals::SLIVER;
 
 /// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well 195 zones take a quarter more time, with 0.7 everywhere answers on graded
 /// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).

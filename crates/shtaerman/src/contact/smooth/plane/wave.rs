@@ -16,13 +16,13 @@ use super::full::{FullWave, PANELS};
 use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
-use crate::contact::intervals::longest_gap;
 use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
 use crate::contact::valleys::CELLS;
 use crate::error::require;
 use crate::extremes::NEGLIGIBLE;
+use crate::intervals::longest_gap;
 use crate::line_search::STEPS;
 use crate::{Error, Scaling, Vertical};
 
@@ -129,7 +129,7 @@ impl Partial {
         let intervals = topology::find(&base, base.cells()).ok()?;
         let ([first, ..], [.., last]) = (&intervals[..], &intervals[..]) else { return None };
         let touches = first[0] <= -1.0 && last[1] >= 1.0;
-        let middle = longest_gap(&intervals).filter(|_| touches)?;
+        let middle = longest_gap(&intervals, BESIDE).filter(|_| touches)?;
         Some(wrapped(middle + base.shift))
     }
 }

@@ -1,12 +1,10 @@
 //! Sets of intervals.
 
-use super::steps::BESIDE;
-
 /// Intervals shorter than this share of the longest are none (survey).
-pub(super) const SLIVER: f64 = 1e-9;
+pub(crate) const SLIVER: f64 = 1e-9;
 
 /// The union of intervals, from left to right, without slivers.
-pub(super) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub(crate) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     crate::order::sort_by_number(&mut intervals, |one| one[0]);
     let mut joined: Vec<[f64; 2]> = Vec::new();
     for interval in intervals {
@@ -20,14 +18,14 @@ pub(super) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     joined
 }
 
-/// The middle of the longest gap of a wave that is one with its images; none where all of it touches.
-pub(super) fn longest_gap(intervals: &[[f64; 2]]) -> Option<f64> {
+/// The middle of the longest gap of a wave that is one with its images; none where none is longer than this.
+pub(crate) fn longest_gap(intervals: &[[f64; 2]], least: f64) -> Option<f64> {
     let [.., last] = intervals else { return None };
     let mut before = last[1] - 2.0;
     let gaps =
         intervals.iter().map(|[left, right]| [std::mem::replace(&mut before, *right), *left]);
     let longest = gaps.max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])))?;
-    (longest[1] - longest[0] > BESIDE).then(|| 0.5 * (longest[0] + longest[1]))
+    (longest[1] - longest[0] > least).then(|| 0.5 * (longest[0] + longest[1]))
 }
 
 #[cfg(test)]
