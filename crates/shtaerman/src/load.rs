@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::Error;
 use crate::error::{finite, require};
-use crate::line_search::top;
+use crate::line_search::{positive, top};
 
 /// Crests among samples of a base that are looked at closely: more than that are hardly alike.
 const CRESTS: usize = 16;
@@ -283,5 +283,31 @@ impl Load {
             let right = samples[(k + 1).min(samples.len() - 1)].0.min(to);
             at(k) > 0.0 || top(&|xi| depth(xi, height(xi)), left, right).1 > 0.0
         })
+    }
+
+    /// Where a base with these samples `(xi, f0)` from end to end of a piece would lie in the body as it is, if displacements are prescribed: Hertz's contact is `sqrt 2` times narrower.
+    pub(crate) fn reached(
+        &self,
+        samples: &[(f64, f64)],
+        height: &dyn Fn(f64) -> f64,
+    ) -> Vec<[f64; 2]> {
+        let (Vertical::Settlement(settlement), Rotational::Tilt(tilt)) =
+            (self.vertical, self.rotational)
+        else {
+            return Vec::new();
+        };
+        let depth = |xi: f64, height: f64| settlement - tilt * xi - height;
+        let mut points: Vec<(f64, f64)> =
+            samples.iter().map(|(xi, height)| (*xi, depth(*xi, *height))).collect();
+        let deepest =
+            (0..points.len()).max_by(|one, two| points[*one].1.total_cmp(&points[*two].1));
+        let at = |xi: f64| depth(xi, height(xi));
+        if let Some(k) = deepest.filter(|k| points[*k].1 <= 0.0) {
+            let (left, right) =
+                (points[k.saturating_sub(1)].0, points[(k + 1).min(points.len() - 1)].0);
+            points.push(top(&at, left, right));
+            crate::order::sort_by_number(&mut points, |one| one.0);
+        }
+        positive(&|places: &[f64]| places.iter().map(|xi| at(*xi)).collect(), &points, 0.0)
     }
 }

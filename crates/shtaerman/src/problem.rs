@@ -8,7 +8,7 @@ use fredholm::basis::Function;
 use crate::bodies::Bodies;
 use crate::deadline::{Deadline, work};
 use crate::error::{finite, require};
-use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
+use crate::expression::{Defect, Interval, Reflection, decimal_rounding, remainder_of_sum};
 use crate::profile::Resolution;
 use crate::{ContactKind, Error, Foundation, Load, Profile, Punch, Scaling, Solver, Vertical};
 
@@ -211,13 +211,13 @@ impl Problem {
     /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
-        let (profile, level) = self.profile().lowered(self.bodies.half_width())?;
+        let (profile, [level, of_level]) = self.profile().lowered(self.bodies.half_width())?;
         let load = self.load.lowered(level, 0.0);
         let (profile, rounding) = match self.load.vertical.settlement() {
             // What rounding takes from the settlement is left to the heights.
             Some(settlement) => {
                 let raised = profile.raised(-remainder_of_sum(settlement, -level));
-                (raised, f64::EPSILON * (settlement.abs() + level.abs()))
+                (raised, of_level + decimal_rounding(settlement) * settlement.abs())
             }
             None => (profile, 0.0),
         };

@@ -6,16 +6,17 @@ use super::folding::remainder_of_sum;
 use super::function::{Binary, Unary};
 use super::program::{Operation, operand_start};
 
-/// A factor as a quotient, and what rounding may have made of it relative to it.
+/// A factor as a quotient, and what rounding may have made of it relative to it, also that of the decimal numbers in it.
 #[derive(Debug, Clone, Copy)]
 struct Factor {
     above: f64,
     below: f64,
     error: f64,
+    decimal: f64,
 }
 
 impl Factor {
-    const ONE: Self = Self { above: 1.0, below: 1.0, error: 0.0 };
+    const ONE: Self = Self { above: 1.0, below: 1.0, error: 0.0, decimal: 0.0 };
 
     fn negated(self) -> Self {
         Self { above: -self.above, ..self }
@@ -29,10 +30,11 @@ impl Factor {
         // Of a quotient to first order, and more than what is beyond.
         let of_value = if error == 0.0 { 0.0 } else { 2.0 * error / value.abs() };
         let error = (self.error + of_value + rounding) * ROOM;
+        let decimal = self.decimal + decimal_rounding(value);
         if is_product {
-            Self { above: product, error, ..self }
+            Self { above: product, error, decimal, ..self }
         } else {
-            Self { below: product, error, ..self }
+            Self { below: product, error, decimal, ..self }
         }
     }
 }
@@ -40,12 +42,22 @@ impl Factor {
 /// Sums of errors are rounded as well.
 const ROOM: f64 = 1.0 + 8.0 * f64::EPSILON;
 
-/// A sum of products with what its rounding leaves out: a known rest, and an error.
+/// Trailing zeros in binary by which a number is known to be what was written: others have so many by chance once in a million.
+const EXACT: u32 = 20;
+
+/// What the rounding to double precision may be of a number that was written as a decimal one and perhaps multiplied by its unit, relative to it: none of those that are exact in binary.
+#[must_use]
+pub fn decimal_rounding(value: f64) -> f64 {
+    if value == 0.0 || value.to_bits().trailing_zeros() >= EXACT { 0.0 } else { f64::EPSILON }
+}
+
+/// A sum of products with what its rounding leaves out: a known rest, and an error; and what the rounding of decimal numbers may have made of it.
 #[derive(Debug, Default)]
 struct Total {
     sum: f64,
     rest: f64,
     error: f64,
+    decimal: f64,
 }
 
 impl Total {
@@ -61,13 +73,14 @@ impl Total {
         let of_rest = 4.0 * f64::EPSILON * (self.rest.abs() + remainder.abs());
         let of_value = (factor.above / factor.below).abs() * error;
         self.error = (self.error + of_value + factor.error * quotient.abs() + of_rest) * ROOM;
+        self.decimal += (factor.decimal + decimal_rounding(value)) * quotient.abs();
     }
 }
 
 impl Expression {
     /// The expression without the constants added to it, and their sum: of `x^2/2 + 1` the parts `x^2/2` and 1, also under a sign and within products with
-    /// numbers. A large one would take the digits of what is added to it. What the sum lacks to rounding stays in the expression.
-    pub fn without_constant(&self) -> (Self, f64) {
+    /// numbers. A large one would take the digits of what is added to it. What the sum lacks to rounding stays in the expression; with the sum comes what the [rounding](decimal_rounding) of its decimal numbers may be.
+    pub fn without_constant(&self) -> (Self, [f64; 2]) {
         let mut operations = self.operations.clone();
         let mut total = Total::default();
         // From the last operation to the first, the factors with which operands to come are added; none where they are not.
@@ -92,7 +105,7 @@ impl Expression {
             }
         }
         let rest = Self { compiled: Compiled::new(&operations), operations, ..self.clone() };
-        (rest.plus(total.rest, total.error), total.sum)
+        (rest.plus(total.rest, total.error), [total.sum, total.decimal])
     }
 
     /// The expression with a number added to it that is off by the error at most.

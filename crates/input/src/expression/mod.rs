@@ -90,6 +90,7 @@ mod waves;
 mod tests;
 
 pub use breakpoint::{Breakpoints, MOST_BREAKPOINTS};
+pub use constant::decimal_rounding;
 pub use enclose::Enclosure;
 pub use error::{Arity, ErrorReason, ExpressionError};
 pub use finite::{Defect, SAMPLES, Verdict};

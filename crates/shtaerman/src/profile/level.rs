@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::base::{Profile, Shape};
 use super::side_by_side::enclosures;
-use crate::expression::Interval;
+use crate::expression::{Interval, decimal_rounding};
 
 /// Places at which heights are compared with their range.
 const PLACES: usize = 33;
@@ -16,9 +16,9 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const SWITCHED: usize = 4;
 
 impl Profile {
-    /// The base counted from a level, and the height of that level, where a constant is larger than all heights above it: it would take their digits. None
+    /// The base counted from a level, and the height of that level with the rounding of its decimal numbers, where a constant is larger than all heights above it: it would take their digits. None
     /// where there is nothing to gain.
-    pub(crate) fn lowered(&self, half_width: f64) -> Option<(Self, f64)> {
+    pub(crate) fn lowered(&self, half_width: f64) -> Option<(Self, [f64; 2])> {
         let [lowest, highest] = self.extremes(half_width);
         let nearest = if lowest > 0.0 { lowest } else { highest };
         if lowest * highest <= 0.0 || nearest.abs() <= highest - lowest {
@@ -31,13 +31,14 @@ impl Profile {
                 (Shape::Expression(Arc::new(rest)), level)
             }
             Shape::Measured(spline) => {
-                (Shape::Measured(Arc::new(spline.lowered(nearest))), nearest)
+                let level = [nearest, decimal_rounding(nearest) * nearest.abs()];
+                (Shape::Measured(Arc::new(spline.lowered(nearest))), level)
             }
         };
         let rest = Self::of(shape);
         let size = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
         let is_less = size(rest.extremes(half_width)) <= SHARE * size([lowest, highest]);
-        (level.is_finite() && is_less).then_some((rest, level))
+        (level[0].is_finite() && is_less).then_some((rest, level))
     }
 
     /// The base by a small height higher; a measured one as it is, whose heights are not known so well.

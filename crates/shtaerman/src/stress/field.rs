@@ -265,7 +265,7 @@ impl StressField {
     }
 
     /// `p = -Im F/pi` on the panel itself.
-    fn inside(&self, panel: &Panel, x: f64) -> f64 {
+    pub(super) fn inside(&self, panel: &Panel, x: f64) -> f64 {
         -panel.potential::<false>(panel.seen(x, 0.0))[0].im / PI
     }
 

@@ -294,7 +294,7 @@ impl StressField {
         let refined =
             self.crests().into_iter().map(|Crest { panel, nodes: [before, at, after], .. }| {
                 let level = self.level(panel, before, after).unwrap_or(at);
-                let [own, other] = [at, level].map(|x| self.surface(x).abs());
+                let [own, other] = [at, level].map(|x| self.inside(panel, x).abs());
                 let (x, pressure) = if other > own { (level, other) } else { (at, own) };
                 Peak { value: factor * pressure, x, depth: 0.0, is_corner: false }
             });

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 use super::complex::Complex;
 use super::panel::Panel;
 use crate::Error;
+use crate::golden::GOLDEN;
 
 /// The least first step: `e^(-pi^2/h) = 5e-16` is its error where the pressure is analytic off the line of the panel.
 const FIRST_STEP: f64 = 0.28;
@@ -42,6 +43,8 @@ impl Effort {
 const OUTERMOST: f64 = 30.0;
 const ALONG: usize = 24;
 const ANGLES: [f64; 3] = [0.0, 0.3, 1.2];
+/// And how many on the surface, evenly: a trace bends at each of its points.
+const ACROSS: usize = 256;
 
 type Pressure<'f> = &'f dyn Fn(usize, f64, f64) -> f64;
 
@@ -112,8 +115,13 @@ fn difference(panel: &Panel, scale: f64) -> f64 {
     let outermost = (OUTERMOST / step) as i64;
     let stride = (2 * outermost / ALONG as i64).max(1);
     let along = (-outermost..=outermost).step_by(stride as usize);
-    along
-        .flat_map(|index| ANGLES.map(|angle| Complex::new((index as f64 + 0.25) * step, angle)))
-        .map(|tau| panel.grid_difference(tau, scale))
-        .fold(0.0, f64::max)
+    let at = |index: f64, angle: f64| Complex::new((index + 0.25) * step, angle);
+    let inside = along.flat_map(|index| ANGLES.map(|angle| at(index as f64, angle)));
+    let count = (panel.nodes() / 2).min(ACROSS);
+    let across = (0..count).map(|k| {
+        let share = (k as f64 + GOLDEN) / count as f64;
+        at(((share / (1.0 - share)).ln() / step).floor(), 0.0)
+    });
+    let differences = inside.chain(across).map(|tau| panel.grid_difference(tau, scale));
+    differences.fold(0.0, f64::max)
 }

@@ -7,6 +7,7 @@ mod bent;
 mod born;
 mod conditions;
 mod hidden;
+mod light;
 mod one_punch;
 mod pair;
 mod periodic;

@@ -359,6 +359,19 @@ impl Base {
         self.samples.iter().flatten()
     }
 
+    /// The pieces; of a base with one valley what lies about the line of the force, or in the body as it is: narrow zones that have to come from elsewhere do so by their own lengths.
+    pub(super) fn begun(&self) -> Vec<[f64; 2]> {
+        if self.valleys().nth(1).is_some() {
+            return self.pieces.clone();
+        }
+        let reached = |piece: &Vec<Sample>| self.load.reached(piece, &|xi| self.height(xi));
+        let begun = match self.load.about(&self.pieces) {
+            Some(about) => vec![about],
+            None => self.samples.iter().flat_map(reached).collect(),
+        };
+        if begun.is_empty() { self.pieces.clone() } else { begun }
+    }
+
     /// The lowest place of the base.
     pub(super) fn lowest(&self) -> f64 {
         let lowest = self.all_samples().min_by(|one, two| one.1.total_cmp(&two.1));

@@ -94,11 +94,8 @@ impl<F: FirstKind> Equation for F {
         starts
     }
 
-    /// Of a base with one valley what lies about the line of the force: narrow zones that have to come from elsewhere do so by their own lengths.
     fn pieces(&self) -> Vec<[f64; 2]> {
-        let (base, is_plain) = (self.base(), self.valleys().len() < 2);
-        let about = base.load.about(&base.pieces).filter(|_| is_plain);
-        about.map_or_else(|| base.pieces.clone(), |about| vec![about])
+        self.base().begun()
     }
 
     fn valleys(&self) -> Vec<f64> {
