@@ -72,7 +72,9 @@ fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start>
     let first = panels.first()?.ends[1];
     let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
     let longest = first * (LONGEST_START * length / first).log2().floor().exp2();
-    let [level, mut blur] = shape.transform_beyond(ends[0], 0.0);
+    let at_bend = shape.transform_beyond(ends[0], 0.0);
+    // At a tip the slope is infinite, and `G` begins with a power above zero.
+    let [level, mut blur] = if at_bend[0].is_finite() { at_bend } else { [0.0; 2] };
     let exactness = shape.noise + shape.inexactness() * level.abs();
     let mut at = |s: f64| {
         let [value, own] = shape.transform_beyond(ends[0], s);

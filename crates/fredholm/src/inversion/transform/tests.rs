@@ -396,6 +396,22 @@ fn beside_bends_of_many_powers_it_is_as_exact_as_stated() {
     }
 }
 
+/// `f = r^q`, `q < 1`, has an infinite slope at the axis, and a finite pressure there where `S = q - 1 + mu` is above zero: with `G = K x^q` it is `int_0^1 G' x^(mu - 1) dx = K q/S`.
+#[test]
+fn a_tip_has_the_pressure_of_its_power() {
+    for (q, mu) in [(0.5, 0.6), (0.8, 0.3), (0.3, 0.9), (0.5, 0.75), (0.9, 0.45)] {
+        let slope = |r: f64| q * r.powf(q - 1.0);
+        let transform = AbelTransform::new(&shape(&slope, Vec::new(), mu), 1.0);
+        // int_0^1 K x^(q + mu) dx
+        let factor = -(q + 1.0 + mu) * transform.volume(0.0);
+        let exact = factor * q / (q - 1.0 + mu);
+        let off = (transform.pressure(0.0) - exact).abs();
+        let stated = transform.bend_error();
+        assert!(off <= stated + 1e-12 * exact, "{q} {mu}: {off:e} {stated:e} of {exact:e}");
+        assert!(stated < 1e-8 * exact, "{q} {mu}: {stated:e} of {exact:e}");
+    }
+}
+
 #[test]
 fn a_bend_that_is_felt_on_both_sides_is_as_exact_as_stated() {
     // Against panels that go on to rounding. Below the bend `G` is singular at the end of its segment.
