@@ -12,8 +12,7 @@ fn solved(ground: &str, geometry: &str, profile: &str, load: &str) -> Contact {
     let text = format!(
         "[foundation]\n{ground}\npoisson_ratio = 0.3\nroughness = 0\n[punch]\n{geometry}\nprofile = \"{profile}\"\n[load]\n{load}\n"
     );
-    let found = file::parse(&text, "test").unwrap().solve();
-    found.unwrap_or_else(|error| panic!("{text}{error}"))
+    file::parse(&text, "test").unwrap().solve().map_err(|error| format!("{text}{error}")).unwrap()
 }
 
 /// A parabola `(x - c)^2/(2 R)` under a force `P` and a moment `M` touches about `M/P`, whatever the ground, and so leans by `(c - M/P)/R`.
