@@ -54,7 +54,9 @@ impl Contact {
     pub fn implied_edge_pressures(&self) -> Option<Vec<[f64; 2]>> {
         let problem = self.problem();
         let bodies = problem.bodies();
-        let is_plane = bodies.geometry() != Geometry::Circular && bodies.is_homogeneous();
+        // A wave has no corners.
+        let has_corners = bodies.geometry() != Geometry::Circular && !problem.is_wave();
+        let is_plane = has_corners && bodies.is_homogeneous();
         if !is_plane || bodies.law() != Law::Linear || bodies.theta0() == 0.0 {
             return None;
         }
