@@ -98,7 +98,8 @@ pub(super) fn estimate<F: FirstKind>(
     let [first, last] = [zones[0], zones[zones.len() - 1]];
     let (reach, middle) =
         (0.5 * (last.right() - first.left()), 0.5 * (first.left() + last.right()));
-    let turned = if is_disk { 0.0 } else { 2.0 * depth / reach };
+    let is_turned = !is_disk && equation.base().load.rotational.tilt().is_none();
+    let turned = if is_turned { 2.0 * depth / reach } else { 0.0 };
     let arm = middle.abs();
     let opened = [depth + arm * turned, turned, force * depth, force * depth * (arm + 2.0 * reach)];
     (accuracy.open(opened, |known, more| known + more), edge)
