@@ -276,7 +276,9 @@ impl StressField {
         for panel in self.inner() {
             for three in panel.samples().windows(3) {
                 let [before, at, after] = [0, 1, 2].map(|i| three[i]);
-                if before.1 <= at.1 && after.1 <= at.1 {
+                // Next to an end places are one number.
+                let are_apart = before.0 < at.0 && at.0 < after.0;
+                if are_apart && before.1 <= at.1 && after.1 <= at.1 {
                     crests.push(Crest { panel, nodes: [before.0, at.0, after.0], size: at.1 });
                 }
             }
