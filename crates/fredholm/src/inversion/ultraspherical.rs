@@ -63,7 +63,7 @@ fn descend(
     let start = count + 2 + (SETTLED / growth).min(MOST) as usize;
     // Of n d_(n-1) = 2 (n + lambda) y d_n - (n + 2 lambda) d_(n+1), lambda = mu/2, the differences d_(n-1) - d_n: nothing in them cancels however near the zone is.
     let (mut value, mut step) = (1.0, -(-growth).exp_m1());
-    if SETTLED > MOST * growth {
+    if growth > 0.0 && SETTLED > MOST * growth {
         let z = (start as f64 + 0.5 * (mu - 1.0)) * growth;
         step = -(-growth * quotient(0.5 * (1.0 - mu), z)).exp_m1();
     }
